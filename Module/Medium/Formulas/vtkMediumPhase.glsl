@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Phase functions, normalised to 1 over the sphere. cosTheta is the cosine between the direction in
+// which the light travels and the direction towards the eye: 1 is forward scattering, and g > 0
+// scatters forward. GLSL and C++ both compile this text; see vtkMediumFormulas.h.
+
+#define PHASE_PI real(3.14159265358979323846)
+
+// |g| and |k| are held below 1: at 1 the functions are a delta and float divides 0 by 0.
+#define PHASE_LIMIT real(0.999)
+
+real phaseIsotropic()
+{
+  return real(0.25) / PHASE_PI;
+}
+
+// Henyey and Greenstein (1941): (1 - g^2) / (4 pi (1 + g^2 - 2 g cosTheta)^(3/2)), with the denominator
+// written as (1 - |g|)^2 + 2 |g| (1 -+ cosTheta), which does not cancel at the peak.
+real phaseHenyeyGreenstein(real cosTheta, real g)
+{
+  real a = min(abs(g), PHASE_LIMIT);
+  real away = max(real(1.0) - (g < real(0.0) ? -cosTheta : cosTheta), real(0.0));
+  real d = (real(1.0) - a) * (real(1.0) - a) + real(2.0) * a * away;
+  return (real(1.0) - a * a) / (real(4.0) * PHASE_PI * d * sqrt(d));
+}
+
+// The k of Schlick's approximation that comes near to Henyey-Greenstein with mean cosine g (Pharr,
+// Jakob and Humphreys, Physically Based Rendering). It exceeds 1 for 0.938 < g < 1 and is held there.
+real phaseSchlickFromG(real g)
+{
+  return clamp(real(1.55) * g - real(0.55) * g * g * g, -PHASE_LIMIT, PHASE_LIMIT);
+}
+
+// Schlick (Blasi, Le Saec and Schlick 1993): (1 - k^2) / (4 pi (1 - k cosTheta)^2).
+real phaseSchlick(real cosTheta, real k)
+{
+  real a = min(abs(k), PHASE_LIMIT);
+  real away = max(real(1.0) - (k < real(0.0) ? -cosTheta : cosTheta), real(0.0));
+  real d = (real(1.0) - a) + a * away;
+  return (real(1.0) - a * a) / (real(4.0) * PHASE_PI * d * d);
+}

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file vtkMediumContent.h
+ * @brief How a volume property, or a vtkParticipatingMedium, becomes the content of a scene.
+ *
+ * Private to the module. Each function returns an empty string, or what was wrong and how to fix it.
+ */
+#ifndef vtkMediumContent_h
+#define vtkMediumContent_h
+
+#include "vtkMediumScene.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkVolumeProperty;
+VTK_ABI_NAMESPACE_END
+
+/// The largest opacity that an extinction is taken from: alpha = 1 would be infinitely thick.
+/// 1 - 2^-24, the largest float below 1, gives an optical depth of 16.6 over the unit distance.
+constexpr double vtkMediumMaximumOpacity = 1.0 - 1.0 / 16777216.0;
+
+/// sigma_t(s) = -ln(1 - alpha(s)) / ScalarOpacityUnitDistance; the colour function is the albedo.
+std::string vtkMediumContentFromProperty(vtkMediumScene::Medium& content, vtkImageData* input,
+  vtkDataArray* scalars, bool onCells, vtkVolumeProperty* property, double anisotropy);
+
+/// The coefficients as the medium states them.
+std::string vtkMediumContentFromMedium(vtkMediumScene::Medium& content, vtkImageData* input,
+  vtkDataArray* scalars, bool onCells, vtkVolumeProperty* property, vtkParticipatingMedium* medium);
+
+/// A field over a named or given array; fails on an array of the wrong length or without any
+/// finite value.
+std::string vtkMediumFieldFromArray(vtkMediumField& field, vtkImageData* input, vtkDataArray* array,
+  bool onCells, vtkVolumeProperty* property);
+
+#endif

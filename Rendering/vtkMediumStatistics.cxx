@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMediumStatistics.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkMediumStatistics);
+
+//------------------------------------------------------------------------------
+vtkMediumStatistics::vtkMediumStatistics() = default;
+
+//------------------------------------------------------------------------------
+vtkMediumStatistics::~vtkMediumStatistics() = default;
+
+//------------------------------------------------------------------------------
+void vtkMediumStatistics::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Frames: " << this->Frames << "\n";
+  os << indent << "Passes: " << this->Passes << "\n";
+  os << indent << "CountTaps: " << (this->CountTaps ? "On" : "Off") << "\n";
+  os << indent << "Taps: " << this->Taps << "\n";
+  os << indent << "Rays: " << this->Rays << "\n";
+  os << indent << "GatherMilliseconds: " << this->GatherMilliseconds << "\n";
+  os << indent << "UploadMilliseconds: " << this->UploadMilliseconds << "\n";
+  os << indent << "CompileMilliseconds: " << this->CompileMilliseconds << "\n";
+  os << indent << "IntegrateMilliseconds: " << this->IntegrateMilliseconds << "\n";
+  os << indent << "FrameMilliseconds: " << this->FrameMilliseconds << "\n";
+  os << indent << "TextureUploads: " << this->TextureUploads << "\n";
+  os << indent << "ProgramCompiles: " << this->ProgramCompiles << "\n";
+  os << indent << "GPUBytes: " << this->GPUBytes << "\n";
+}

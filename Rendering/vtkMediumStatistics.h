@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkMediumStatistics
+ * @brief What the mapper did: work of the last frame, and totals since it was created.
+ *
+ * Owned by vtkSingleScatteringVolumeMapper and updated by each Render. Taps, the number of lattice
+ * look-ups on eye and light rays, and the number of rays are counted by the shader itself, and only
+ * while CountTaps is on, since reading them back costs a few milliseconds.
+ *
+ * @sa vtkSingleScatteringVolumeMapper::GetStatistics
+ */
+#ifndef vtkMediumStatistics_h
+#define vtkMediumStatistics_h
+
+#include "vtkObject.h"
+#include "vtkParticipatingMediaRenderingModule.h" // for the export macro
+
+class VTKPARTICIPATINGMEDIARENDERING_EXPORT vtkMediumStatistics : public vtkObject
+{
+public:
+  static vtkMediumStatistics* New();
+  vtkTypeMacro(vtkMediumStatistics, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// Whether each frame counts its taps and rays. Default: off.
+  vtkSetMacro(CountTaps, bool);
+  vtkGetMacro(CountTaps, bool);
+  vtkBooleanMacro(CountTaps, bool);
+  ///@}
+
+  ///@{
+  /// Of the last frame: look-ups in the medium's textures, on eye and light rays; 0 unless CountTaps.
+  vtkGetMacro(Taps, vtkTypeInt64);
+  /// Of the last frame: eye rays that met the volume; 0 unless CountTaps.
+  vtkGetMacro(Rays, vtkTypeInt64);
+  /// Of the last frame: full-screen draws over which its marches were split.
+  vtkGetMacro(Passes, vtkTypeInt64);
+  ///@}
+
+  ///@{
+  /// Of the last frame, wall-clock milliseconds: gathering facts and deciding; uploading textures;
+  /// compiling programs; integrating, up to the driver's completion; the whole of Render.
+  vtkGetMacro(GatherMilliseconds, double);
+  vtkGetMacro(UploadMilliseconds, double);
+  vtkGetMacro(CompileMilliseconds, double);
+  vtkGetMacro(IntegrateMilliseconds, double);
+  vtkGetMacro(FrameMilliseconds, double);
+  ///@}
+
+  ///@{
+  /// Since creation: frames drawn, textures uploaded, programs compiled.
+  vtkGetMacro(Frames, vtkTypeInt64);
+  vtkGetMacro(TextureUploads, vtkTypeInt64);
+  vtkGetMacro(ProgramCompiles, vtkTypeInt64);
+  ///@}
+
+  /// Bytes of textures and framebuffers held on the device now.
+  vtkGetMacro(GPUBytes, vtkTypeInt64);
+
+protected:
+  vtkMediumStatistics();
+  ~vtkMediumStatistics() override;
+
+private:
+  friend class vtkSingleScatteringVolumeMapper;
+
+  bool CountTaps = false;
+  vtkTypeInt64 Taps = 0;
+  vtkTypeInt64 Rays = 0;
+  vtkTypeInt64 Passes = 0;
+  double GatherMilliseconds = 0;
+  double UploadMilliseconds = 0;
+  double CompileMilliseconds = 0;
+  double IntegrateMilliseconds = 0;
+  double FrameMilliseconds = 0;
+  vtkTypeInt64 Frames = 0;
+  vtkTypeInt64 TextureUploads = 0;
+  vtkTypeInt64 ProgramCompiles = 0;
+  vtkTypeInt64 GPUBytes = 0;
+
+  vtkMediumStatistics(const vtkMediumStatistics&) = delete;
+  void operator=(const vtkMediumStatistics&) = delete;
+};
+
+#endif

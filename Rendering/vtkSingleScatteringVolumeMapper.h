@@ -1,0 +1,233 @@
+// SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkSingleScatteringVolumeMapper
+ * @brief Renders a vtkImageData as a participating medium lit by single scattering.
+ *
+ * Each eye ray gathers the light that the renderer's vtkLights send into the medium, weakened on its
+ * way in and on its way out (Beer's law) and turned towards the eye by a phase function:
+ *
+ *     L = int T(t) [ sigma_e + sum_k sigma_s p(cos theta_k) E_k exp(-tau_k) ] dt
+ *
+ * Lengths are world units. The phase function integrates to 1 over the sphere. An image is linear
+ * radiance, premultiplied, without any tone mapping: a light's colour times its intensity is the
+ * irradiance on a plane normal to the beam (a positional light: divided by a + b r + c r^2, its
+ * AttenuationValues), so an isotropic medium of albedo 1 shows about 1/(4 pi) of it; raise the
+ * lights' intensity to taste.
+ *
+ * Without a medium, the volume's vtkVolumeProperty is the medium: the scalar opacity function and
+ * ScalarOpacityUnitDistance give the extinction, sigma_t = -ln(1 - alpha) / unit distance (alpha is
+ * taken as at most 1 - 2^-24), and the colour function gives the albedo.
+ *
+ * The input is a vtkImageData of any scalar type; its point or cell scalars are chosen as in any
+ * vtkVolumeMapper. NaN and -Inf voxels count as the smallest, +Inf as the largest finite value of the
+ * data, with one warning. The camera may be anywhere, also inside the volume.
+ *
+ * Whatever cannot be drawn right is refused by one vtkErrorMacro that says what was found and what to
+ * do; the frame keeps its background and the next valid frame is drawn. A cause that persists is
+ * reported once, until it changes or a frame succeeds. Refused are: an input that is not a
+ * vtkImageData, has no scalars, has fewer than two points along an axis or a singular matrix; blend
+ * modes other than composite; cropping and clipping planes; a window that is not OpenGL 3.2; and the
+ * parameter values named below.
+ *
+ * @par The integrators
+ * | name | what it does | order |
+ * | --- | --- | --- |
+ * | Paper | the algorithm of Han, Ki and Oh (GPU Ray Marching for Real-Time Rendering of Participating Media): a homogeneous medium fills the voxels at or above a threshold; linear then binary search finds its surface; left Riemann sums | 1 |
+ * | FixedStep | any medium; nested midpoint marching with a closed form in each segment | 2 |
+ *
+ * @sa vtkParticipatingMedium vtkSingleScatteringReference vtkMediumStatistics
+ */
+#ifndef vtkSingleScatteringVolumeMapper_h
+#define vtkSingleScatteringVolumeMapper_h
+
+#include "vtkMediumCompatibility.h"
+#include "vtkParticipatingMediaRenderingModule.h" // for the export macro
+#include "vtkSmartPointer.h"
+#include "vtkVolumeMapper.h"
+
+#include <memory>
+#include <string>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkImageData;
+class vtkWindow;
+VTK_ABI_NAMESPACE_END
+class vtkMediumStatistics;
+class vtkParticipatingMedium;
+
+class VTKPARTICIPATINGMEDIARENDERING_EXPORT vtkSingleScatteringVolumeMapper : public vtkVolumeMapper
+{
+public:
+  static vtkSingleScatteringVolumeMapper* New();
+  vtkTypeMacro(vtkSingleScatteringVolumeMapper, vtkVolumeMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// How the integral is computed; see the table above.
+  enum Integrators
+  {
+    Paper,
+    FixedStep,
+  };
+
+  /// What the image holds.
+  enum Outputs
+  {
+    Radiance, ///< radiance, premultiplied; alpha is 1 - mean transmittance
+    FirstHit, ///< distance along the eye ray to the first point of the medium, world units
+    Distance, ///< distance from the first to the last point of the medium, world units
+  };
+
+  /// Phase functions that need no medium to be set.
+  enum PhaseFunctions
+  {
+    HenyeyGreenstein,
+    Schlick,
+  };
+
+  ///@{
+  /// The medium that fills the volume. Default: none, the volume's property is the medium.
+  void SetMedium(vtkParticipatingMedium* medium);
+  vtkParticipatingMedium* GetMedium();
+  ///@}
+
+  ///@{
+  /// Mean cosine g of the phase function when no medium is set, -1 (back) to 1 (forward), and which
+  /// phase function it parametrises. |g| > 0.999 is taken as 0.999. Default: 0, isotropic. Outside
+  /// [-1, 1], or NaN: an error at the next Render.
+  /// Schlick's k is 1.55 g - 0.55 g^3, at most 0.999 in magnitude; its mean cosine is not exactly g.
+  /// Default phase function: Henyey-Greenstein in FixedStep. Paper always uses Schlick.
+  vtkSetMacro(Anisotropy, double);
+  vtkGetMacro(Anisotropy, double);
+  vtkSetClampMacro(PhaseFunction, int, HenyeyGreenstein, Schlick);
+  vtkGetMacro(PhaseFunction, int);
+  void SetPhaseFunctionToHenyeyGreenstein() { this->SetPhaseFunction(HenyeyGreenstein); }
+  void SetPhaseFunctionToSchlick() { this->SetPhaseFunction(Schlick); }
+  ///@}
+
+  ///@{
+  /// The integrator. Default: FixedStep.
+  vtkSetClampMacro(Integrator, int, Paper, FixedStep);
+  vtkGetMacro(Integrator, int);
+  void SetIntegratorToPaper() { this->SetIntegrator(Paper); }
+  void SetIntegratorToFixedStep() { this->SetIntegrator(FixedStep); }
+  ///@}
+
+  ///@{
+  /// Longest step along eye rays, and along light rays, in world units. 0 (default) means: one voxel,
+  /// the shortest edge of a voxel for eye rays, and the eye ray's step for light rays. A step below
+  /// 1/100000 of the volume's diagonal is taken as that. Negative or NaN: an error at the next Render.
+  vtkSetMacro(SampleDistance, double);
+  vtkGetMacro(SampleDistance, double);
+  vtkSetMacro(LightSampleDistance, double);
+  vtkGetMacro(LightSampleDistance, double);
+  ///@}
+
+  ///@{
+  /// Paper: how often a hit that the linear search brackets is halved, 0 to 16. Default: 5.
+  vtkSetClampMacro(BinarySearchIterations, int, 0, 16);
+  vtkGetMacro(BinarySearchIterations, int);
+  ///@}
+
+  ///@{
+  /// Paper: each eye ray starts its samples late by one random number in [0, Jitter) of a step, from
+  /// a table that is the same in every frame; a small jitter trades rings for little noise. Outside
+  /// [0, 1), or NaN: an error at the next Render. Default: 0.2.
+  vtkSetMacro(Jitter, double);
+  vtkGetMacro(Jitter, double);
+  ///@}
+
+  ///@{
+  /// A ray stops where its transmittance falls below this; the error is at most this fraction of the
+  /// brightest remaining source. 0 never stops early. Outside [0, 1), or NaN: an error at the next
+  /// Render. Default: 1/1024.
+  vtkSetMacro(TransmittanceThreshold, double);
+  vtkGetMacro(TransmittanceThreshold, double);
+  ///@}
+
+  ///@{
+  /// Paper: voxels whose scalar is at or above this value are filled (in the data's units). A
+  /// threshold above the data's range, which nothing passes, is an error at the next Render.
+  /// Default: 0.5.
+  vtkSetMacro(PaperThreshold, double);
+  vtkGetMacro(PaperThreshold, double);
+  ///@}
+
+  ///@{
+  /// Paper: on, an eye ray ends at its first exit and a light ray at its first exit, as the paper has
+  /// it, which leaves holes where the filled part is not convex. Off (default), both go on through
+  /// every filled interval until they leave the volume.
+  vtkSetMacro(AssumeConvex, bool);
+  vtkGetMacro(AssumeConvex, bool);
+  vtkBooleanMacro(AssumeConvex, bool);
+  ///@}
+
+  ///@{
+  /// What the image holds. Default: Radiance. On screen, distances are shown as grey: FirstHit as 1
+  /// at the nearest corner of the volume down to 0 at the farthest, Distance as a fraction of the
+  /// volume's diagonal; as float images (GetColorImage) they are in world units.
+  vtkSetClampMacro(Output, int, Radiance, Distance);
+  vtkGetMacro(Output, int);
+  void SetOutputToRadiance() { this->SetOutput(Radiance); }
+  void SetOutputToFirstHit() { this->SetOutput(FirstHit); }
+  void SetOutputToDistance() { this->SetOutput(Distance); }
+  ///@}
+
+  ///@{
+  /// On: Render draws nothing into the window but keeps its result for GetColorImage and
+  /// GetDepthImage, which also work when this is off. Default: off.
+  vtkSetMacro(RenderToImage, bool);
+  vtkGetMacro(RenderToImage, bool);
+  vtkBooleanMacro(RenderToImage, bool);
+  ///@}
+
+  /// The last frame as float RGBA, linear and premultiplied, of the viewport's size, first row at the
+  /// bottom. Radiance: R, G, B, alpha. FirstHit and Distance: world units in R, G and B, with alpha 1
+  /// where the ray met the medium and all 0 where it did not. An error if no frame has been rendered.
+  void GetColorImage(vtkImageData* image);
+
+  /// The window depth (0 near plane, 1 far plane) of the first point of the medium on each eye ray, 1
+  /// where the ray missed it, one float; see FirstHit for the distance in world units.
+  void GetDepthImage(vtkImageData* image);
+
+  /// Counters and times of what the mapper did. Never null.
+  vtkMediumStatistics* GetStatistics();
+
+  void Render(vtkRenderer* renderer, vtkVolume* volume) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkSingleScatteringVolumeMapper();
+  ~vtkSingleScatteringVolumeMapper() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+
+private:
+  vtkSingleScatteringVolumeMapper(const vtkSingleScatteringVolumeMapper&) = delete;
+  void operator=(const vtkSingleScatteringVolumeMapper&) = delete;
+
+  /// Reports a refused frame once per cause.
+  void Refuse(const std::string& cause);
+
+  vtkSmartPointer<vtkParticipatingMedium> Medium;
+  double Anisotropy = 0;
+  int PhaseFunction = HenyeyGreenstein;
+  int Integrator = FixedStep;
+  double SampleDistance = 0;
+  double LightSampleDistance = 0;
+  int BinarySearchIterations = 5;
+  double Jitter = 0.2;
+  double TransmittanceThreshold = 1.0 / 1024;
+  double PaperThreshold = 0.5;
+  bool AssumeConvex = false;
+  int Output = Radiance;
+  bool RenderToImage = false;
+
+  vtkSmartPointer<vtkMediumStatistics> Statistics;
+  struct Internals;
+  std::unique_ptr<Internals> Resources;
+  std::string LastRefusal;
+};
+
+#endif
