@@ -124,8 +124,9 @@ public:
   ///@}
 
   ///@{
-  /// Paper: how often a hit that the linear search brackets is halved, 0 to 16. Default: 5.
-  vtkSetClampMacro(BinarySearchIterations, int, 0, 16);
+  /// Paper: how often a hit that the linear search brackets is halved, 0 to 10 (2^-10 of a
+  /// step is finer than float resolves on a long ray). Default: 5.
+  vtkSetClampMacro(BinarySearchIterations, int, 0, 10);
   vtkGetMacro(BinarySearchIterations, int);
   ///@}
 
@@ -206,9 +207,6 @@ protected:
 private:
   vtkSingleScatteringVolumeMapper(const vtkSingleScatteringVolumeMapper&) = delete;
   void operator=(const vtkSingleScatteringVolumeMapper&) = delete;
-
-  /// Reports a refused frame once per cause.
-  void Refuse(const std::string& cause);
 
   vtkSmartPointer<vtkParticipatingMedium> Medium;
   double Anisotropy = 0;

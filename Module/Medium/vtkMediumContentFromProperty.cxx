@@ -32,18 +32,8 @@ vtkMediumFunction SampleProperty(vtkVolumeProperty* property, double minimum, do
   vtkColorTransferFunction* albedo = grey ? nullptr : property->GetRGBTransferFunction();
 
   std::vector<double> knots;
-  double node[6];
-  for (int i = 0; i < opacity->GetSize(); ++i)
-  {
-    opacity->GetNodeValue(i, node);
-    knots.push_back(node[0]);
-  }
-  const int albedoSize = grey ? greyAlbedo->GetSize() : albedo->GetSize();
-  for (int i = 0; i < albedoSize; ++i)
-  {
-    grey ? greyAlbedo->GetNodeValue(i, node) : albedo->GetNodeValue(i, node);
-    knots.push_back(node[0]);
-  }
+  vtkMediumAppendKnots(knots, opacity);
+  grey ? vtkMediumAppendKnots(knots, greyAlbedo) : vtkMediumAppendKnots(knots, albedo);
 
   vtkMediumFunction function;
   function.Sample(minimum, maximum, knots, [&](double value) {
@@ -60,6 +50,65 @@ vtkMediumFunction SampleProperty(vtkVolumeProperty* property, double minimum, do
   });
   return function;
 }
+
+//------------------------------------------------------------------------------
+// "" or which value of the sampled functions cannot be a medium.
+std::string CheckSamples(const vtkMediumFunction& function)
+{
+  const std::vector<glm::dvec4>& samples = function.GetSamples();
+  std::ostringstream problem;
+  for (std::size_t i = 0; i < samples.size() && problem.str().empty(); ++i)
+  {
+    const double value = function.GetMinimum() +
+      (function.GetMaximum() - function.GetMinimum()) * i / (samples.size() - 1);
+    for (int c = 0; c < 3 && problem.str().empty(); ++c)
+    {
+      if (!(samples[i][c] >= 0 && samples[i][c] <= 1 + vtkMediumAlbedoTolerance))
+      {
+        problem << "The volume property's colour function, which is the albedo, has the value "
+                << samples[i][c] << " at the scalar " << value << "; give it values from 0 to 1.";
+      }
+    }
+    if (problem.str().empty() && !std::isfinite(samples[i].w))
+    {
+      problem << "The volume property's scalar opacity at the scalar " << value
+              << " is not a number; give it values from 0 to 1.";
+    }
+  }
+  return problem.str();
+}
+
+//------------------------------------------------------------------------------
+// Nodes are (value, ..., midpoint, sharpness); the curve bends or jumps at the midpoint unless both
+// have their defaults, 0.5 and 0.
+template <typename Function>
+void AppendKnots(std::vector<double>& knots, Function* function, int midpoint)
+{
+  double node[6], next[6];
+  const int size = function->GetSize();
+  for (int i = 0; i < size; ++i)
+  {
+    function->GetNodeValue(i, node);
+    knots.push_back(node[0]);
+    if (i + 1 < size && (node[midpoint] != 0.5 || node[midpoint + 1] != 0))
+    {
+      function->GetNodeValue(i + 1, next);
+      knots.push_back(node[0] + node[midpoint] * (next[0] - node[0]));
+    }
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkMediumAppendKnots(std::vector<double>& knots, vtkPiecewiseFunction* function)
+{
+  AppendKnots(knots, function, 2); // (value, y, midpoint, sharpness)
+}
+
+//------------------------------------------------------------------------------
+void vtkMediumAppendKnots(std::vector<double>& knots, vtkColorTransferFunction* function)
+{
+  AppendKnots(knots, function, 4); // (value, r, g, b, midpoint, sharpness)
 }
 
 //------------------------------------------------------------------------------
@@ -74,6 +123,7 @@ std::string vtkMediumFieldFromArray(vtkMediumField& field, vtkImageData* input, 
     field.Dimensions[axis] = extent[2 * axis + 1] - extent[2 * axis] + cells;
   }
   field.Array = array;
+  field.Time = std::max(array->GetMTime(), input->GetMTime());
   field.OnCells = onCells;
   field.Linear = property->GetInterpolationType() != VTK_NEAREST_INTERPOLATION;
   const vtkIdType expected =
@@ -82,8 +132,8 @@ std::string vtkMediumFieldFromArray(vtkMediumField& field, vtkImageData* input, 
   const char* name = array->GetName() ? array->GetName() : "(unnamed)";
   if (array->GetNumberOfTuples() != expected)
   {
-    problem << "The array " << name << " has " << array->GetNumberOfTuples() << " tuples, but the image has "
-            << expected << (onCells ? " cells" : " points") << "; give one tuple for each.";
+    problem << "The array " << name << " has " << array->GetNumberOfTuples()
+            << " tuples, but the image has " << expected << (onCells ? " cells" : " points") << "; give one tuple for each.";
   }
   else if (!field.FindRange())
   {
@@ -126,6 +176,11 @@ std::string vtkMediumContentFromProperty(vtkMediumScene::Medium& content, vtkIma
   }
   content.Functions.push_back(SampleProperty(property, field.Minimum, field.Maximum));
   content.Fields.push_back(field);
+  invalid = CheckSamples(content.Functions.back());
+  if (!invalid.empty())
+  {
+    return invalid;
+  }
   using Coefficient = vtkMediumScene::Coefficient;
   content.Extinction = Coefficient{ Coefficient::FunctionAlpha, 0, 0, -1, glm::dvec3(1) };
   content.Scattering = Coefficient{ Coefficient::FunctionRGB, 0, 0, -1, glm::dvec3(1) };

@@ -24,6 +24,7 @@ class VTKPARTICIPATINGMEDIUM_EXPORT vtkMediumField
 {
 public:
   vtkSmartPointer<vtkDataArray> Array;
+  vtkMTimeType Time = 0;    ///< when the array or the image that holds it was last modified
   bool OnCells = false;
   bool Linear = true;       ///< trilinear between lattice values, else the nearest one
   int FirstComponent = 0;   ///< of the array

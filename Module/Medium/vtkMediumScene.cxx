@@ -5,11 +5,7 @@
 #include "vtkMediumContent.h"
 
 #include "vtkImageData.h"
-#include "vtkLight.h"
-#include "vtkLightCollection.h"
-#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
-#include "vtkRenderer.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
@@ -112,69 +108,30 @@ std::string vtkMediumScene::GatherVolume(vtkImageData* input, vtkDataArray* scal
 {
   this->Geometry = Box();
   this->Content = Medium();
+  this->Scalars = vtkMediumField();
   std::string problem = GatherBox(this->Geometry, input, volume);
   if (!problem.empty())
   {
     return problem;
   }
+  if (!scalars && !medium)
+  {
+    return "The input image has no scalars; give it a point or cell array and make it active "
+           "(SetScalars, or SelectScalarArray on the mapper), or set a vtkParticipatingMedium.";
+  }
+  if (scalars)
+  {
+    problem =
+      vtkMediumFieldFromArray(this->Scalars, input, scalars, onCells, volume->GetProperty());
+    if (!problem.empty())
+    {
+      return problem;
+    }
+  }
   return medium ? vtkMediumContentFromMedium(
                     this->Content, input, scalars, onCells, volume->GetProperty(), medium)
                 : vtkMediumContentFromProperty(
                     this->Content, input, scalars, onCells, volume->GetProperty(), anisotropy);
-}
-
-//------------------------------------------------------------------------------
-std::string vtkMediumScene::GatherLights(vtkRenderer* renderer)
-{
-  this->Lights.clear();
-  vtkCollectionSimpleIterator iterator;
-  vtkLightCollection* lights = renderer->GetLights();
-  lights->InitTraversal(iterator);
-  while (vtkLight* source = lights->GetNextLight(iterator))
-  {
-    if (!source->GetSwitch())
-    {
-      continue;
-    }
-    Light light;
-    glm::dvec3 position, focus;
-    source->GetTransformedPosition(&position[0]);
-    source->GetTransformedFocalPoint(&focus[0]);
-    source->GetDiffuseColor(&light.Irradiance[0]);
-    light.Irradiance *= source->GetIntensity();
-    const double distance = glm::length(focus - position);
-    if (distance > 0)
-    {
-      light.Direction = (focus - position) / distance;
-    }
-    if (source->GetPositional())
-    {
-      const double length = this->Geometry.Length;
-      source->GetAttenuationValues(&light.Attenuation[0]);
-      light.Attenuation *= glm::dvec3(1, length, length * length);
-      light.Position = this->Geometry.WorldToLocal(position);
-      light.Type = Light::Point;
-      if (source->GetConeAngle() < 90)
-      {
-        light.Type = Light::Spot;
-        light.CosCone = std::cos(vtkMath::RadiansFromDegrees(source->GetConeAngle()));
-        light.Exponent = source->GetExponent();
-      }
-    }
-    if (!(distance > 0) && light.Type != Light::Point)
-    {
-      std::ostringstream problem;
-      problem << "A light has its position and its focal point both at (" << position.x << ", "
-              << position.y << ", " << position.z
-              << "); a directional or spot light needs them apart, for its direction.";
-      return problem.str();
-    }
-    if (light.Irradiance != glm::dvec3(0))
-    {
-      this->Lights.push_back(light);
-    }
-  }
-  return {};
 }
 
 //------------------------------------------------------------------------------
@@ -239,6 +196,11 @@ std::string vtkMediumScene::GatherView(vtkMatrix4x4* worldToClip)
   view.Direction /= length;
   view.DirectionX /= length;
   view.DirectionY /= length;
+  if (view.Parallel) // clip z = -w at the near plane
+  {
+    view.Start = -(glm::dot(view.ClipZ, glm::dvec4(view.Origin, 1)) + rowW.w) /
+      glm::dot(glm::dvec3(view.ClipZ), view.Direction);
+  }
   return {};
 }
 

@@ -88,15 +88,18 @@ public:
     bool IsZero() const { return this->Scale == glm::dvec3(0); }
   };
 
+  /// The phase functions and what they read; Formulas/vtkMediumPhase.glsl has their formulas.
   enum Phases
   {
     Isotropic,
-    Schlick,
-    HenyeyGreenstein,
-    DoubleHenyeyGreenstein,
+    Schlick,                ///< Anisotropy (g); k = 1.55 g - 0.55 g^3
+    HenyeyGreenstein,       ///< Anisotropy
+    DoubleHenyeyGreenstein, ///< Anisotropy, BackAnisotropy, ForwardWeight
     Rayleigh,
-    Draine,
-    Tabulated,
+    Draine,    ///< Anisotropy, DraineAlpha
+    Tabulated, ///< PhaseTable
+    Droplets,  ///< Draine (Anisotropy, DraineAlpha) x ForwardWeight, HG (BackAnisotropy) x the rest
+    SchlickK,  ///< Anisotropy holds Schlick's k itself
   };
 
   /// What fills the volume. Lengths are world units.
@@ -115,10 +118,10 @@ public:
     double DensityScale = 1; ///< multiplies extinction, scattering and emission
 
     Phases Phase = HenyeyGreenstein;
-    Coefficient Anisotropy; ///< g, the mean cosine; one value or a field
-    double BackAnisotropy = 0;   ///< second lobe of the double HG
-    double ForwardWeight = 1;    ///< weight of the first lobe of the double HG
-    double DraineAlpha = 0;      ///< alpha of Draine's function
+    Coefficient Anisotropy;      ///< g (SchlickK: k) of the first lobe; one value or a field
+    double BackAnisotropy = 0;   ///< g of the second lobe of DoubleHenyeyGreenstein and Droplets
+    double ForwardWeight = 1;    ///< weight of their first lobe, 0 to 1
+    double DraineAlpha = 0;      ///< alpha of Draine's function, >= 0
     std::vector<double> PhaseTable; ///< values per steradian at equally spaced cosines -1…1
 
     bool ChromaticExtinction = false; ///< sigma_t differs between R, G and B
@@ -158,12 +161,16 @@ public:
     bool Parallel = false;
     glm::dvec3 Origin{ 0 }, OriginX{ 0 }, OriginY{ 0 };
     glm::dvec3 Direction{ 0, 0, -1 }, DirectionX{ 0 }, DirectionY{ 0 };
+    double Start = 0; ///< t from which distances count: the eye, or the near plane in parallel
     glm::dvec4 ClipZ{ 0 }, ClipW{ 0 }; ///< rows z and w of the local-to-clip matrix
     glm::dmat4 LocalToClip{ 1 };
   };
 
   Box Geometry;
   Medium Content;
+  /// The input's active scalars, which the Paper integrator compares with its threshold. Without an
+  /// Array where there are none, which only a vtkParticipatingMedium may do without.
+  vtkMediumField Scalars;
   std::vector<Light> Lights;
   View Eye;
 
@@ -173,7 +180,10 @@ public:
   std::string GatherVolume(vtkImageData* input, vtkDataArray* scalars, bool onCells,
     vtkVolume* volume, vtkParticipatingMedium* medium, double anisotropy);
 
-  /// Gathers the lights of the renderer that are switched on. After GatherVolume.
+  /// Gathers the lights of the renderer that are switched on; where none is and the renderer creates
+  /// lights automatically, its headlight. Head- and camera lights stand where the renderer's camera is
+  /// now. Only the diffuse colour lights a medium: ambient and specular colours, and the renderer's
+  /// ambient light, are ignored. A cone of 90 degrees or more is no spot. After GatherVolume.
   std::string GatherLights(vtkRenderer* renderer);
 
   /// Takes the eye rays from a world-to-clip matrix (OpenGL's clip space, column vectors).

@@ -1,7 +1,11 @@
 // Included twice by vtkMediumFormulas.h, once for each number type.
+#include "vtkMediumJitter.glsl"
+#include "vtkMediumLight.glsl"
 #include "vtkMediumPhase.glsl"
 #include "vtkMediumRayBox.glsl"
 #include "vtkMediumSegment.glsl"
 #include "vtkMediumTransmittance.glsl"
-#undef PHASE_PI
+#undef LIGHT_MINIMUM_RADIUS
 #undef PHASE_LIMIT
+#undef PHASE_PI
+#undef RAY_BOX_PARALLEL

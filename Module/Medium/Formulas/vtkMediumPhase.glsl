@@ -22,7 +22,46 @@ real phaseHenyeyGreenstein(real cosTheta, real g)
   real a = min(abs(g), PHASE_LIMIT);
   real away = max(real(1.0) - (g < real(0.0) ? -cosTheta : cosTheta), real(0.0));
   real d = (real(1.0) - a) * (real(1.0) - a) + real(2.0) * a * away;
-  return (real(1.0) - a * a) / (real(4.0) * PHASE_PI * d * sqrt(d));
+  return (real(1.0) - a) * (real(1.0) + a) / (real(4.0) * PHASE_PI * d * sqrt(d));
+}
+
+// weight parts of a first lobe and 1 - weight parts of a second, as of a forward and a backward one.
+real phaseDoubleHenyeyGreenstein(real cosTheta, real g, real secondG, real weight)
+{
+  return weight * phaseHenyeyGreenstein(cosTheta, g) +
+    (real(1.0) - weight) * phaseHenyeyGreenstein(cosTheta, secondG);
+}
+
+// Rayleigh (1871), for particles much smaller than the wavelength and unpolarised light.
+real phaseRayleigh(real cosTheta)
+{
+  return real(3.0 / 16.0) / PHASE_PI * (real(1.0) + cosTheta * cosTheta);
+}
+
+// Draine (2003), Astrophysical Journal 598, equation 4: Henyey-Greenstein times 1 + alpha cosTheta^2,
+// normalised; alpha >= 0. g = 0, alpha = 1 is Rayleigh, alpha = 1 is Cornette and Shanks (1992).
+// Its mean cosine is not g unless alpha is 0.
+real phaseDraine(real cosTheta, real g, real alpha)
+{
+  real a = min(abs(g), PHASE_LIMIT);
+  real norm = real(1.0) + alpha * (real(1.0) + real(2.0) * a * a) / real(3.0);
+  return phaseHenyeyGreenstein(cosTheta, g) * (real(1.0) + alpha * cosTheta * cosTheta) / norm;
+}
+
+// Water droplets of fog and cloud (Jendersie and d'Eon 2023, doi:10.1145/3587421.3595409): weight parts
+// of a Draine lobe (g, alpha) and 1 - weight parts of a Henyey-Greenstein lobe (secondG). The four
+// parameters follow from the droplet's diameter; vtkParticipatingMedium evaluates that fit.
+real phaseDroplets(real cosTheta, real g, real alpha, real secondG, real weight)
+{
+  return weight * phaseDraine(cosTheta, g, alpha) +
+    (real(1.0) - weight) * phaseHenyeyGreenstein(cosTheta, secondG);
+}
+
+// Where a table of `size` values at equally spaced cosines -1 to 1 holds cosTheta: 0 at the first value,
+// size - 1 at the last. A linearly filtered texture is sampled at (coordinate + 1/2) / size.
+real phaseTableCoordinate(real cosTheta, real size)
+{
+  return clamp(real(0.5) + real(0.5) * cosTheta, real(0.0), real(1.0)) * (size - real(1.0));
 }
 
 // The k of Schlick's approximation that comes near to Henyey-Greenstein with mean cosine g (Pharr,
@@ -38,5 +77,5 @@ real phaseSchlick(real cosTheta, real k)
   real a = min(abs(k), PHASE_LIMIT);
   real away = max(real(1.0) - (k < real(0.0) ? -cosTheta : cosTheta), real(0.0));
   real d = (real(1.0) - a) + a * away;
-  return (real(1.0) - a * a) / (real(4.0) * PHASE_PI * d * d);
+  return (real(1.0) - a) * (real(1.0) + a) / (real(4.0) * PHASE_PI * d * d);
 }

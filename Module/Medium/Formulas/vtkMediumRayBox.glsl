@@ -3,11 +3,15 @@
 //
 // The part of a ray inside the unit box. GLSL and C++ both compile this text; see vtkMediumFormulas.h.
 
+// A direction component below this never crosses the box (t would exceed 1e30) and counts as zero; some
+// GPUs flush denormals to zero in a division but not in a comparison.
+#define RAY_BOX_PARALLEL real(1.0e-30)
+
 // The interval of one axis. A direction component of zero is a branch of its own: 1/0 times an origin
 // on the face would be NaN.
 vec2 rayBoxAxis(real origin, real direction)
 {
-  if (direction == real(0.0))
+  if (abs(direction) < RAY_BOX_PARALLEL)
   {
     bool inside = origin >= real(0.0) && origin <= real(1.0);
     return inside ? vec2(-3.0e38, 3.0e38) : vec2(3.0e38, -3.0e38);

@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMediumScene.h"
+
+#include "vtkCamera.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkRenderer.h"
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <sstream>
+#include <vector>
+
+namespace
+{
+//------------------------------------------------------------------------------
+// The lights that are on; where there is none, the headlight that the renderer makes when it renders.
+std::vector<vtkSmartPointer<vtkLight>> FindLights(vtkRenderer* renderer)
+{
+  std::vector<vtkSmartPointer<vtkLight>> result;
+  vtkCollectionSimpleIterator iterator;
+  vtkLightCollection* lights = renderer->GetLights();
+  lights->InitTraversal(iterator);
+  while (vtkLight* light = lights->GetNextLight(iterator))
+  {
+    if (light->GetSwitch())
+    {
+      result.push_back(light);
+    }
+  }
+  if (result.empty() && renderer->GetAutomaticLightCreation() && renderer->IsActiveCameraCreated())
+  {
+    vtkNew<vtkLight> headlight;
+    headlight->SetLightTypeToHeadlight();
+    result.push_back(headlight.Get());
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+glm::dvec3 Transform(vtkMatrix4x4* matrix, const glm::dvec3& point)
+{
+  const double in[4] = { point.x, point.y, point.z, 1 };
+  double out[4];
+  matrix->MultiplyPoint(in, out);
+  return { out[0], out[1], out[2] };
+}
+
+//------------------------------------------------------------------------------
+// World position and focal point. A renderer moves head- and camera lights with its camera only when
+// it renders, so their place is computed from the camera of now.
+void FindPose(vtkRenderer* renderer, vtkLight* light, glm::dvec3& position, glm::dvec3& focus)
+{
+  vtkCamera* camera = renderer->GetLightFollowCamera() && renderer->IsActiveCameraCreated()
+    ? renderer->GetActiveCamera()
+    : nullptr;
+  vtkMatrix4x4* matrix = light->GetTransformMatrix();
+  light->GetPosition(&position[0]);
+  light->GetFocalPoint(&focus[0]);
+  if (camera && light->LightTypeIsHeadlight())
+  {
+    camera->GetPosition(&position[0]);
+    camera->GetFocalPoint(&focus[0]);
+  }
+  else if (camera && light->LightTypeIsCameraLight())
+  {
+    matrix = camera->GetCameraLightTransformMatrix();
+  }
+  if (matrix)
+  {
+    position = Transform(matrix, position);
+    focus = Transform(matrix, focus);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool IsFinite(const glm::dvec3& v)
+{
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+//------------------------------------------------------------------------------
+std::ostream& operator<<(std::ostream& out, const glm::dvec3& v)
+{
+  return out << "(" << v.x << ", " << v.y << ", " << v.z << ")";
+}
+
+//------------------------------------------------------------------------------
+std::string CheckLight(const vtkMediumScene::Light& light, const glm::dvec3& position,
+  const glm::dvec3& focus)
+{
+  using Light = vtkMediumScene::Light;
+  const glm::dvec3& E = light.Irradiance;
+  const glm::dvec3& abc = light.Attenuation;
+  std::ostringstream problem;
+  if (!IsFinite(position) || !IsFinite(focus))
+  {
+    problem << "A light is at " << position << " with its focal point at " << focus
+            << "; give it a finite place.";
+  }
+  else if (!IsFinite(E) || !(E.x >= 0 && E.y >= 0 && E.z >= 0))
+  {
+    problem << "A light's diffuse colour times its intensity is " << E
+            << "; set finite values >= 0.";
+  }
+  else if (light.Type != Light::Point && !(glm::length(focus - position) > 0))
+  {
+    problem << "A light has its position and its focal point both at " << position
+            << "; a directional or spot light needs them apart, for its direction.";
+  }
+  else if (light.Type != Light::Directional &&
+    (!IsFinite(abc) || !(abc.x >= 0 && abc.y >= 0 && abc.z >= 0) || abc == glm::dvec3(0)))
+  {
+    problem << "A positional light's attenuation values are " << abc
+            << "; set finite values >= 0 that are not all 0, (0, 0, 1) for the inverse square.";
+  }
+  return problem.str();
+}
+}
+
+//------------------------------------------------------------------------------
+std::string vtkMediumScene::GatherLights(vtkRenderer* renderer)
+{
+  this->Lights.clear();
+  for (vtkLight* source : FindLights(renderer))
+  {
+    Light light;
+    glm::dvec3 position, focus;
+    FindPose(renderer, source, position, focus);
+    source->GetDiffuseColor(&light.Irradiance[0]);
+    light.Irradiance *= source->GetIntensity();
+    if (source->GetPositional())
+    {
+      source->GetAttenuationValues(&light.Attenuation[0]);
+      light.Type = source->GetConeAngle() < 90 ? Light::Spot : Light::Point;
+    }
+    const std::string problem = CheckLight(light, position, focus);
+    if (!problem.empty())
+    {
+      this->Lights.clear();
+      return problem;
+    }
+
+    const double distance = glm::length(focus - position);
+    if (distance > 0)
+    {
+      light.Direction = (focus - position) / distance;
+    }
+    if (light.Type != Light::Directional)
+    {
+      const double length = this->Geometry.Length;
+      light.Attenuation *= glm::dvec3(1, length, length * length);
+      light.Position = this->Geometry.WorldToLocal(position);
+    }
+    if (light.Type == Light::Spot)
+    {
+      light.CosCone = std::cos(vtkMath::RadiansFromDegrees(source->GetConeAngle()));
+      light.Exponent = source->GetExponent();
+    }
+    if (light.Irradiance != glm::dvec3(0))
+    {
+      this->Lights.push_back(light);
+    }
+  }
+  return {};
+}

@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkSingleScatteringReference
+ * @brief The image of a participating medium on the CPU, in double precision, to a tolerance.
+ *
+ * What vtkSingleScatteringVolumeMapper approximates, this class computes: the radiance of single
+ * scattering,
+ *
+ *     L = int T(t) [ sigma_e + sum_k sigma_s p(cos theta_k) E_k exp(-tau_k) ] dt
+ *
+ * to a given tolerance. It reads the scene as the mapper does (image, property or medium, matrix,
+ * lights, camera; the meaning of each is documented there) and shares none of its formulas, so that
+ * each can be held to the other. It needs no OpenGL and no window.
+ *
+ * @par Method
+ * Each ray is cut at the cell faces of the grid, where a transfer function bends, at a light's nearest
+ * point and at the edge of its cone. Each piece is integrated by Gauss-Legendre rules of 6 against 8
+ * points and bisected until they agree. Optical depths are exact where the extinction is interpolated
+ * from the data, since that is a cubic between cell faces. A transfer function is the mapper's table
+ * of 4096 straight intervals; the tolerance is then not met below the table's own distance from a
+ * smooth function, about 1e-8. Opaque geometry, cropping and clipping planes are not seen.
+ *
+ * Threaded with vtkSMPTools; the result does not depend on the number of threads.
+ *
+ * @par Parameters
+ * | parameter | unit | range | default | meaning |
+ * | --- | --- | --- | --- | --- |
+ * | Tolerance | 1 | 1e-13 … 1 | 1e-9 | absolute error of the radiance, as a fraction of the peak |
+ * | Anisotropy | 1 | -1 … 1 | 0 | mean cosine g of the phase function when no medium is set |
+ * | ImageSize | pixels | >= 0 | 0, 0 | size of the image; 0: that of the renderer |
+ * | PixelStride | pixels | >= 1 | 1 | only every so many pixels are computed along each axis |
+ *
+ * Events: StartEvent, ProgressEvent (its data is a pointer to the fraction that is done, a double)
+ * and EndEvent, while GetColorImage runs. A cause that prevents a result is reported by one
+ * vtkErrorMacro.
+ *
+ * @sa vtkSingleScatteringVolumeMapper vtkParticipatingMedium
+ */
+#ifndef vtkSingleScatteringReference_h
+#define vtkSingleScatteringReference_h
+
+#include "vtkMediumCompatibility.h"
+#include "vtkObject.h"
+#include "vtkParticipatingMediumModule.h" // for the export macro
+#include "vtkSmartPointer.h"
+
+#include <memory>
+#include <string>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkImageData;
+class vtkRenderer;
+class vtkVolume;
+VTK_ABI_NAMESPACE_END
+class vtkParticipatingMedium;
+
+class VTKPARTICIPATINGMEDIUM_EXPORT vtkSingleScatteringReference : public vtkObject
+{
+public:
+  static vtkSingleScatteringReference* New();
+  vtkTypeMacro(vtkSingleScatteringReference, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// The grid. If none is set, it is the input of the volume's mapper.
+  void SetInputData(vtkImageData* input);
+  vtkImageData* GetInputData();
+  ///@}
+
+  ///@{
+  /// What fills the volume. If none is set, it is the volume's property.
+  void SetMedium(vtkParticipatingMedium* medium);
+  vtkParticipatingMedium* GetMedium();
+  ///@}
+
+  ///@{
+  /// Its property and matrix are used and, when it has a mapper, the mapper's choice of the scalar
+  /// array. If none is set: the identity, and a default property.
+  void SetVolume(vtkVolume* volume);
+  vtkVolume* GetVolume();
+  ///@}
+
+  ///@{
+  /// Its lights and, for images, its active camera are used. As a render would, a renderer without
+  /// lights gets a headlight (unless AutomaticLightCreation is off), and headlights and camera lights
+  /// follow the camera (unless LightFollowCamera is off). Needed for radiance, not for optical depth.
+  void SetRenderer(vtkRenderer* renderer);
+  vtkRenderer* GetRenderer();
+  ///@}
+
+  ///@{
+  /// The mean cosine g of Henyey and Greenstein's phase function, when no medium is set; -1 to 1, held
+  /// at +-0.999. Default 0.
+  vtkSetMacro(Anisotropy, double);
+  vtkGetMacro(Anisotropy, double);
+  ///@}
+
+  ///@{
+  /// The largest error of the radiance, as a fraction of the peak; 1e-13 to 1, default 1e-9. The peak
+  /// of an image is the largest radiance among 12 x 12 pixels that are estimated beforehand, so it is
+  /// never above the image's true peak; that of a single ray is an estimate of its own radiance.
+  vtkSetClampMacro(Tolerance, double, 1e-13, 1.0);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+
+  ///@{
+  /// Width and height of the image, pixels; 0, 0 (the default) takes the renderer's size. When set, the
+  /// camera's aspect ratio is width / height.
+  vtkSetVector2Macro(ImageSize, int);
+  vtkGetVector2Macro(ImageSize, int);
+  ///@}
+
+  ///@{
+  /// Compute only the pixels (i s, j s) of the full image. Default 1: all.
+  vtkSetClampMacro(PixelStride, int, 1, 1 << 20);
+  vtkGetMacro(PixelStride, int);
+  ///@}
+
+  ///@{
+  /// Set from an observer of ProgressEvent to stop GetColorImage, which then returns false. It is
+  /// cleared when GetColorImage starts.
+  vtkSetMacro(AbortExecute, vtkTypeBool);
+  vtkGetMacro(AbortExecute, vtkTypeBool);
+  vtkBooleanMacro(AbortExecute, vtkTypeBool);
+  ///@}
+
+  /// Fills `image` with linear RGBA radiance, double, premultiplied: alpha is 1 - the mean of the three
+  /// channels' transmittances. Pixel (i, j) is the ray through x = 2 (i + 1/2) / width - 1 and
+  /// y = 2 (j + 1/2) / height - 1 of the viewport, from the near plane (or the eye) on. With a
+  /// PixelStride s the image has ceil(width / s) x ceil(height / s) pixels and the spacing s. On error
+  /// or abort returns false and leaves the image as it was.
+  bool GetColorImage(vtkImageData* image);
+
+  /// The radiance and alpha that arrive at `origin` (world) from `direction` (world, of any length
+  /// > 0, pointing away from the eye), so along the whole ray origin + t direction, t >= 0. False, and
+  /// zeros, on error.
+  bool Radiance(const double origin[3], const double direction[3], double rgba[4]);
+
+  ///@{
+  /// The optical depth between two points (world): of the channels, or their mean. NaN on error.
+  void OpticalDepth(const double a[3], const double b[3], double rgb[3]);
+  double OpticalDepth(const double a[3], const double b[3]);
+  ///@}
+
+  ///@{
+  /// The transmittance between two points (world): of the channels, or their mean. NaN on error.
+  void Transmittance(const double a[3], const double b[3], double rgb[3]);
+  double Transmittance(const double a[3], const double b[3]);
+  ///@}
+
+  /// Also that of everything that the result depends on.
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkSingleScatteringReference();
+  ~vtkSingleScatteringReference() override;
+
+private:
+  vtkSingleScatteringReference(const vtkSingleScatteringReference&) = delete;
+  void operator=(const vtkSingleScatteringReference&) = delete;
+
+  vtkImageData* FindInput();
+  std::string GatherMedium();
+  std::string GatherLights();
+  std::string GatherView(int size[2]);
+  bool Gather(bool lights);
+  double EstimatePeak(const int size[2]);
+
+  vtkSmartPointer<vtkImageData> InputData;
+  vtkSmartPointer<vtkParticipatingMedium> Medium;
+  vtkSmartPointer<vtkVolume> Volume;
+  vtkSmartPointer<vtkRenderer> Renderer;
+  double Anisotropy = 0;
+  double Tolerance = 1e-9;
+  int ImageSize[2] = { 0, 0 };
+  int PixelStride = 1;
+  vtkTypeBool AbortExecute = false;
+
+  struct Gathered;
+  std::unique_ptr<Gathered> Scene;
+};
+
+#endif

@@ -1,0 +1,259 @@
+// SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMediumExtinctionGrid.h"
+
+#include "vtkMediumLatticeRows.h"
+
+#include "vtkSMPTools.h"
+
+#include <glm/common.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+using Coefficient = vtkMediumScene::Coefficient;
+
+// How a coefficient enters the extinction.
+enum Operations
+{
+  Set,
+  Add,
+  MultiplyByOnePlus,
+};
+
+// A function that stays within this part of its range from the chord counts as affine; it is below
+// what half floats resolve.
+constexpr double AffineTolerance = 1e-5;
+
+//------------------------------------------------------------------------------
+float Combine(Operations operation, float old, double value)
+{
+  switch (operation)
+  {
+    case Add:
+      return static_cast<float>(old + value);
+    case MultiplyByOnePlus:
+      return static_cast<float>(old * (1 + value));
+    default:
+      return static_cast<float>(value);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool SameLattice(const vtkMediumField& field, const vtkMediumExtinctionGrid& grid)
+{
+  return field.Dimensions == grid.GetDimensions() && field.OnCells == grid.IsOnCells() &&
+    field.Linear == grid.IsLinear();
+}
+
+//------------------------------------------------------------------------------
+int ComponentOf(const Coefficient& coefficient, const vtkMediumField& field, int channel)
+{
+  if (coefficient.Source != Coefficient::Field)
+  {
+    return 0;
+  }
+  return coefficient.Component >= 0 ? coefficient.Component : field.Components < 3 ? 0 : channel;
+}
+
+//------------------------------------------------------------------------------
+// One number of a coefficient from the scalar it depends on.
+class Curve
+{
+public:
+  Curve(const vtkMediumScene::Medium& medium, const Coefficient& coefficient, int channel)
+    : Scale(coefficient.Scale[channel])
+  {
+    if (coefficient.Source == Coefficient::FunctionRGB ||
+      coefficient.Source == Coefficient::FunctionAlpha)
+    {
+      this->Function = &medium.Functions[coefficient.FunctionIndex];
+      this->Channel = coefficient.Source == Coefficient::FunctionRGB ? channel : 3;
+    }
+  }
+
+  double operator()(double scalar) const
+  {
+    return this->Scale *
+      (this->Function ? this->Function->Evaluate(scalar)[this->Channel] : scalar);
+  }
+
+  bool IsAffine(double minimum, double maximum) const
+  {
+    if (!this->Function)
+    {
+      return true;
+    }
+    const double first = (*this)(minimum), last = (*this)(maximum);
+    const int samples = 2 * static_cast<int>(this->Function->GetSamples().size());
+    double deviation = 0, largest = std::max(std::abs(first), std::abs(last));
+    for (int i = 1; i < samples; ++i)
+    {
+      const double f = static_cast<double>(i) / samples;
+      const double value = (*this)(minimum + f * (maximum - minimum));
+      deviation = std::max(deviation, std::abs(value - (first + f * (last - first))));
+      largest = std::max(largest, std::abs(value));
+    }
+    return deviation <= AffineTolerance * largest;
+  }
+
+private:
+  double Scale;
+  const vtkMediumFunction* Function = nullptr;
+  int Channel = 0;
+};
+
+//------------------------------------------------------------------------------
+void ApplyConstant(std::vector<float>& values, double value, Operations operation)
+{
+  vtkSMPTools::For(0, static_cast<vtkIdType>(values.size()), [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      values[i] = Combine(operation, values[i], value);
+    }
+  });
+}
+
+//------------------------------------------------------------------------------
+void ApplyRows(const vtkMediumField& field, int component, const Curve& curve, double scale,
+  Operations operation, std::vector<float>& values)
+{
+  const vtkMediumLatticeRows rows(field, component);
+  const glm::ivec3 n = field.Dimensions;
+  vtkSMPTools::For(0, static_cast<vtkIdType>(n.y) * n.z, [&](vtkIdType begin, vtkIdType end) {
+    std::vector<double> row(n.x);
+    for (vtkIdType r = begin; r < end; ++r)
+    {
+      rows.Read(static_cast<int>(r % n.y), static_cast<int>(r / n.y), row.data());
+      float* target = values.data() + r * n.x;
+      for (int i = 0; i < n.x; ++i)
+      {
+        target[i] = Combine(operation, target[i], scale * curve(row[i]));
+      }
+    }
+  });
+}
+
+//------------------------------------------------------------------------------
+// For a field on another lattice than the grid's.
+void ApplyResampled(const vtkMediumField& field, int component, const Curve& curve, double scale,
+  Operations operation, const vtkMediumExtinctionGrid& grid, std::vector<float>& values)
+{
+  const glm::ivec3 n = grid.GetDimensions();
+  const glm::dvec3 lower = grid.GetLower(), size = grid.GetUpper() - lower;
+  vtkSMPTools::For(0, static_cast<vtkIdType>(n.y) * n.z, [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType r = begin; r < end; ++r)
+    {
+      float* target = values.data() + r * n.x;
+      for (int i = 0; i < n.x; ++i)
+      {
+        const glm::dvec3 at(i, static_cast<int>(r % n.y), static_cast<int>(r / n.y));
+        const double scalar = field.Interpolate((at - lower) / size)[component];
+        target[i] = Combine(operation, target[i], scale * curve(scalar));
+      }
+    }
+  });
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkMediumExtinctionGrid::ChooseLattice(const vtkMediumScene& scene)
+{
+  const vtkMediumScene::Medium& medium = scene.Content;
+  const vtkMediumField* chosen = nullptr;
+  for (const Coefficient* coefficient : { &medium.Extinction, &medium.Scattering })
+  {
+    const bool used = coefficient == &medium.Extinction || medium.ExtinctionIsAbsorption;
+    if (!used || coefficient->IsConstant())
+    {
+      continue;
+    }
+    const vtkMediumField& field = medium.Fields[coefficient->FieldIndex];
+    if (!chosen ||
+      glm::dvec3(field.Dimensions).x * field.Dimensions.y * field.Dimensions.z >
+        glm::dvec3(chosen->Dimensions).x * chosen->Dimensions.y * chosen->Dimensions.z)
+    {
+      chosen = &field;
+    }
+  }
+  this->Dimensions = chosen ? chosen->Dimensions : glm::ivec3(2);
+  this->OnCells = chosen && chosen->OnCells;
+  this->Linear = !chosen || chosen->Linear;
+
+  const vtkMediumScene::Box& box = scene.Geometry;
+  const glm::dvec3 size = this->GetUpper() - this->GetLower();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    this->LatticeToLocalAxes[axis] = box.BoxToLocalAxes[axis] / size[axis];
+  }
+  this->LatticeToLocalOrigin =
+    box.BoxToLocalOrigin - this->LatticeToLocalAxes * this->GetLower();
+  this->LocalToLatticeAxes = glm::inverse(this->LatticeToLocalAxes);
+}
+
+//------------------------------------------------------------------------------
+void vtkMediumExtinctionGrid::Build(const vtkMediumScene& scene, int channel)
+{
+  const vtkMediumScene::Medium& medium = scene.Content;
+  this->ChooseLattice(scene);
+  this->Affine = true;
+  this->Values.resize(this->GetIndex(0, 0, this->Dimensions.z));
+
+  auto apply = [&](const Coefficient& coefficient, double scale, Operations operation) {
+    if (coefficient.IsConstant())
+    {
+      ApplyConstant(this->Values, scale * coefficient.Scale[channel], operation);
+      return;
+    }
+    const vtkMediumField& field = medium.Fields[coefficient.FieldIndex];
+    const Curve curve(medium, coefficient, channel);
+    const int component = ComponentOf(coefficient, field, channel);
+    const bool same = SameLattice(field, *this);
+    this->Affine = this->Affine && same &&
+      (!this->Linear || curve.IsAffine(field.Minimum, field.Maximum)) &&
+      !(operation == MultiplyByOnePlus && this->Linear);
+    if (same)
+    {
+      ApplyRows(field, component, curve, scale, operation, this->Values);
+    }
+    else
+    {
+      ApplyResampled(field, component, curve, scale, operation, *this, this->Values);
+    }
+  };
+  apply(medium.Extinction, scene.Geometry.Length, Set);
+  if (medium.ExtinctionIsAbsorption && medium.ScatteringIsAlbedo)
+  {
+    apply(medium.Scattering, 1, MultiplyByOnePlus);
+  }
+  else if (medium.ExtinctionIsAbsorption)
+  {
+    apply(medium.Scattering, scene.Geometry.Length, Add);
+  }
+  const auto range = std::minmax_element(this->Values.begin(), this->Values.end());
+  this->Minimum = *range.first;
+  this->Maximum = *range.second;
+}
+
+//------------------------------------------------------------------------------
+double vtkMediumExtinctionGrid::Interpolate(const glm::dvec3& lattice) const
+{
+  const glm::dvec3 at = glm::clamp(lattice, glm::dvec3(0), glm::dvec3(this->Dimensions - 1));
+  if (!this->Linear)
+  {
+    const glm::ivec3 nearest(glm::floor(at + 0.5));
+    return this->Values[this->GetIndex(nearest.x, nearest.y, nearest.z)];
+  }
+  const glm::ivec3 lower = glm::min(glm::ivec3(at), glm::max(this->Dimensions - 2, 0));
+  const glm::ivec3 upper = glm::min(lower + 1, this->Dimensions - 1);
+  const glm::dvec3 f = at - glm::dvec3(lower);
+  auto alongX = [&](int j, int k) {
+    const std::size_t row = this->GetIndex(0, j, k);
+    return glm::mix(double(this->Values[row + lower.x]), double(this->Values[row + upper.x]), f.x);
+  };
+  return glm::mix(glm::mix(alongX(lower.y, lower.z), alongX(upper.y, lower.z), f.y),
+    glm::mix(alongX(lower.y, upper.z), alongX(upper.y, upper.z), f.y), f.z);
+}

@@ -1,0 +1,311 @@
+// SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMediumFrame.h"
+
+#include "vtkMediumOpenGL.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkPixelBufferObject.h"
+#include "vtkShaderProgram.h"
+
+#include <sstream>
+
+namespace
+{
+constexpr int DepthBytes = 4; // per pixel
+
+//------------------------------------------------------------------------------
+void SetUniform(vtkShaderProgram* program, const char* name, const glm::dvec3& value)
+{
+  const glm::vec3 rounded(value);
+  program->SetUniform3f(name, &rounded[0]);
+}
+
+//------------------------------------------------------------------------------
+void SetUniform(vtkShaderProgram* program, const char* name, const glm::dvec4& value)
+{
+  const glm::vec4 rounded(value);
+  program->SetUniform4f(name, &rounded[0]);
+}
+
+//------------------------------------------------------------------------------
+void SetUniform(vtkShaderProgram* program, const char* name, double value)
+{
+  program->SetUniformf(name, static_cast<float>(value));
+}
+
+//------------------------------------------------------------------------------
+void SetUniform(vtkShaderProgram* program, const char* name, const glm::ivec2& value)
+{
+  const float rounded[2] = { static_cast<float>(value.x), static_cast<float>(value.y) };
+  program->SetUniform2f(name, rounded);
+}
+}
+
+//------------------------------------------------------------------------------
+std::string vtkMediumFrame::Begin(
+  vtkOpenGLRenderWindow* window, const Viewport& viewport, bool carry)
+{
+  this->Window = window;
+  this->View = viewport;
+  this->UsedTargets = carry ? Targets : Targets - 1;
+  this->UsedSets = carry ? 2 : 1;
+  this->Result = 0;
+  const unsigned int width = viewport.Size.x, height = viewport.Size.y;
+  for (int set = 0; set < this->UsedSets; ++set)
+  {
+    for (int target = 0; target < this->UsedTargets; ++target)
+    {
+      vtkTextureObject* texture = this->Textures[set][target];
+      if (!texture->GetHandle() || texture->GetWidth() != width || texture->GetHeight() != height)
+      {
+        texture->SetContext(window);
+        texture->SetMinificationFilter(vtkTextureObject::Nearest);
+        texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+        if (!texture->Create2D(width, height, 4, VTK_FLOAT, false))
+        {
+          std::ostringstream text;
+          text << "The device could not allocate a float image of " << width << " x " << height
+               << " pixels; make the window smaller or free device memory.";
+          return text.str();
+        }
+      }
+    }
+  }
+  if (this->Depth->GetWidth() != width || this->Depth->GetHeight() != height)
+  {
+    this->Depth->ReleaseGraphicsResources(window);
+  }
+  this->Depth->SetContext(window);
+  if (!this->Depth->GetHandle())
+  {
+    this->Depth->SetMinificationFilter(vtkTextureObject::Nearest);
+    this->Depth->SetMagnificationFilter(vtkTextureObject::Nearest);
+    this->Depth->AllocateDepth(width, height, DepthBytes);
+  }
+  this->Depth->CopyFromFrameBuffer(viewport.Origin.x, viewport.Origin.y, 0, 0, width, height);
+  return {};
+}
+
+//------------------------------------------------------------------------------
+void vtkMediumFrame::BindTargets(int set)
+{
+  this->Framebuffer->Bind();
+  for (int target = 0; target < this->UsedTargets; ++target)
+  {
+    this->Framebuffer->AddColorAttachment(target, this->Textures[set][target]);
+  }
+  this->Framebuffer->ActivateDrawBuffers(this->UsedTargets);
+}
+
+//------------------------------------------------------------------------------
+void vtkMediumFrame::ClearTargets(int set)
+{
+  const float clear[Targets][4] = { { 0, 0, 0, 0 }, { NoHit, NoHit, 0, 0 }, { 0, 0, 0, 0 } };
+  this->BindTargets(set);
+  for (int target = 0; target < this->UsedTargets; ++target)
+  {
+    glClearBufferfv(GL_COLOR, target, clear[target]);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMediumFrame::SetFrameUniforms(
+  vtkShaderProgram* program, const vtkMediumScene& scene, const vtkMediumPlan& plan)
+{
+  const vtkMediumScene::Box& box = scene.Geometry;
+  const vtkMediumScene::View& eye = scene.Eye;
+  const glm::mat3 axes(box.LocalToBoxAxes);
+  float rows[9];
+  std::copy(&axes[0][0], &axes[0][0] + 9, rows);
+  program->SetUniformMatrix3x3("localToBoxAxes", rows);
+  SetUniform(program, "localToBoxOrigin", box.LocalToBoxOrigin);
+  SetUniform(program, "eyeStep", plan.EyeStep);
+  SetUniform(program, "lightStep", plan.LightStep);
+  SetUniform(program, "transmittanceThreshold", plan.TransmittanceThreshold);
+  SetUniform(program, "viewportSize", this->View.Size);
+  SetUniform(program, "eyeOrigin", eye.Origin);
+  SetUniform(program, "eyeOriginX", eye.OriginX);
+  SetUniform(program, "eyeOriginY", eye.OriginY);
+  SetUniform(program, "eyeDirection", eye.Direction);
+  SetUniform(program, "eyeDirectionX", eye.DirectionX);
+  SetUniform(program, "eyeDirectionY", eye.DirectionY);
+  SetUniform(program, "clipZ", eye.ClipZ);
+  SetUniform(program, "clipW", eye.ClipW);
+}
+
+//------------------------------------------------------------------------------
+void vtkMediumFrame::SetContentUniforms(
+  vtkShaderProgram* program, const vtkMediumScene& scene, const vtkMediumPlan& plan)
+{
+  const vtkMediumScene::Medium& content = scene.Content;
+  const double unit = scene.Geometry.Length * content.DensityScale; // per world to per local unit
+  SetUniform(program, "extinctionScale", unit * content.Extinction.Scale);
+  SetUniform(program, "scatteringScale",
+    (content.ScatteringIsAlbedo ? 1.0 : unit) * content.Scattering.Scale);
+  SetUniform(program, "emissionScale", unit * content.Emission.Scale);
+  SetUniform(program, "anisotropyScale", content.Anisotropy.Scale);
+  SetUniform(program, "phaseLobes",
+    glm::dvec4(
+      content.BackAnisotropy, content.ForwardWeight, content.DraineAlpha, 0));
+  SetUniform(program, "paperExtinction", plan.Filled.Extinction);
+  SetUniform(program, "paperScattering", plan.Filled.Scattering);
+  SetUniform(program, "paperAnisotropy", content.Anisotropy.Scale.x);
+  SetUniform(program, "paperThreshold", plan.PaperThreshold);
+  SetUniform(program, "paperJitter", plan.Jitter);
+}
+
+//------------------------------------------------------------------------------
+bool vtkMediumFrame::Integrate(vtkMediumProgram& programs, vtkMediumTextures& textures,
+  const vtkMediumScene& scene, const vtkMediumPlan& plan)
+{
+  vtkOpenGLState* state = this->Window->GetState();
+  vtkShaderProgram* program = programs.Use(this->Window, plan.ShaderFiles, plan.ShaderDefines);
+  if (!program)
+  {
+    return false;
+  }
+  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+  vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+  vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
+  vtkOpenGLState::ScopedglEnableDisable cull(state, GL_CULL_FACE);
+  vtkOpenGLState::ScopedglDepthMask depthMask(state);
+  vtkOpenGLState::ScopedglColorMask colorMask(state);
+  vtkOpenGLState::ScopedglViewport viewport(state);
+  vtkOpenGLState::ScopedglScissor scissor(state);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglDepthMask(GL_FALSE);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglViewport(0, 0, this->View.Size.x, this->View.Size.y);
+
+  state->PushFramebufferBindings();
+  this->Framebuffer->SetContext(this->Window);
+  for (int set = 0; set < this->UsedSets; ++set)
+  {
+    this->ClearTargets(set);
+  }
+  const glm::ivec4 seen =
+    vtkMediumPlan::FindScissor(scene.Eye, scene.Geometry, this->View.Size);
+  if (seen.z > 0 && seen.w > 0)
+  {
+    state->vtkglEnable(GL_SCISSOR_TEST);
+    state->vtkglScissor(seen.x, seen.y, seen.z, seen.w);
+    textures.Activate(program, plan);
+    this->Depth->Activate();
+    program->SetUniformi("opaqueDepth", this->Depth->GetTextureUnit());
+    this->SetFrameUniforms(program, scene, plan);
+    this->SetContentUniforms(program, scene, plan);
+    for (const vtkMediumPlan::Pass& pass : plan.Passes)
+    {
+      this->DrawPass(programs, program, pass, this->UsedSets - 1 - this->Result);
+    }
+    this->Depth->Deactivate();
+    textures.Deactivate();
+  }
+  state->PopFramebufferBindings();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkMediumFrame::DrawPass(vtkMediumProgram& programs, vtkShaderProgram* program,
+  const vtkMediumPlan::Pass& pass, int set)
+{
+  const char* names[Targets] = { "carriedRadiance", "carriedHits", "carriedMarch" };
+  const int carried = this->UsedSets > 1 ? Targets : 0;
+  this->BindTargets(set);
+  for (int target = 0; target < carried; ++target)
+  {
+    vtkTextureObject* texture = this->Textures[1 - set][target];
+    texture->Activate();
+    program->SetUniformi(names[target], texture->GetTextureUnit());
+  }
+  program->SetUniformi("firstLight", pass.FirstLight);
+  program->SetUniformi("lastLight", pass.LastLight);
+  program->SetUniformi("firstStep", pass.FirstStep);
+  program->SetUniformi("lastStep", pass.LastStep);
+  programs.Draw();
+  for (int target = 0; target < carried; ++target)
+  {
+    this->Textures[1 - set][target]->Deactivate();
+  }
+  this->Result = set;
+}
+
+//------------------------------------------------------------------------------
+bool vtkMediumFrame::Show(vtkMediumProgram& programs, const Grey& grey)
+{
+  vtkOpenGLState* state = this->Window->GetState();
+  vtkShaderProgram* program = programs.Use(this->Window, { "Display" }, "");
+  if (!program)
+  {
+    return false;
+  }
+  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+  vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+  vtkOpenGLState::ScopedglEnableDisable cull(state, GL_CULL_FACE);
+  vtkOpenGLState::ScopedglDepthMask depthMask(state);
+  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(state);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFuncSeparate(
+    GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  state->vtkglDepthMask(GL_FALSE);
+
+  vtkTextureObject* radiance = this->Textures[this->Result][0];
+  vtkTextureObject* hits = this->Textures[this->Result][1];
+  radiance->Activate();
+  hits->Activate();
+  program->SetUniformi("radiance", radiance->GetTextureUnit());
+  program->SetUniformi("hits", hits->GetTextureUnit());
+  SetUniform(program, "distanceScale", grey.Scale);
+  SetUniform(program, "distanceNearest", grey.Nearest);
+  program->SetUniformi("showFirst", grey.First);
+  programs.Draw();
+  hits->Deactivate();
+  radiance->Deactivate();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::vector<float> vtkMediumFrame::Download(int target)
+{
+  vtkTextureObject* texture = this->Textures[this->Result][target];
+  if (!texture->GetHandle())
+  {
+    return {};
+  }
+  unsigned int size[2] = { texture->GetWidth(), texture->GetHeight() };
+  std::vector<float> pixels(4 * static_cast<std::size_t>(size[0]) * size[1]);
+  vtkIdType increments[2] = { 0, 0 };
+  vtkPixelBufferObject* buffer = texture->Download();
+  buffer->Download2D(VTK_FLOAT, pixels.data(), size, 4, increments);
+  buffer->Delete();
+  return pixels;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkMediumFrame::GetBytes() const
+{
+  const vtkTypeInt64 pixels = static_cast<vtkTypeInt64>(this->View.Size.x) * this->View.Size.y;
+  const vtkTypeInt64 targets = this->UsedSets * this->UsedTargets;
+  return pixels * (targets * 4 * static_cast<vtkTypeInt64>(sizeof(float)) + DepthBytes);
+}
+
+//------------------------------------------------------------------------------
+void vtkMediumFrame::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (auto& set : this->Textures)
+  {
+    for (auto& texture : set)
+    {
+      texture->ReleaseGraphicsResources(window);
+    }
+  }
+  this->Depth->ReleaseGraphicsResources(window);
+  this->Framebuffer->ReleaseGraphicsResources(window);
+  this->Result = 0;
+}

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkMediumFrame
+ * @brief The float images that a frame is integrated into, and the draws that fill and show them.
+ *
+ * Two sets of targets, so that a march too long for one draw is carried from one set to the other:
+ * radiance (R, G, B, alpha), hits (first, last, look-ups, rays) and, if carried, the march's state.
+ */
+#ifndef vtkMediumFrame_h
+#define vtkMediumFrame_h
+
+#include "vtkMediumCompatibility.h"
+#include "vtkMediumPlan.h"
+#include "vtkMediumProgram.h"
+#include "vtkMediumTextures.h"
+
+#include "vtkNew.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkTextureObject.h"
+
+#include <string>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+class vtkWindow;
+VTK_ABI_NAMESPACE_END
+
+class vtkMediumFrame
+{
+public:
+  /// The t of a first hit where the ray met nothing; rays may start anywhere, also at t < 0.
+  static constexpr float NoHit = -1e30f;
+
+  /// The viewport that the frame is shown in, window pixels.
+  struct Viewport
+  {
+    glm::ivec2 Origin{ 0 };
+    glm::ivec2 Size{ 0 };
+  };
+
+  /// How the shown frame is made of the integrated one; see Shaders/vtkMediumDisplay.glsl.
+  struct Grey
+  {
+    double Scale = 0; ///< 0: radiance
+    double Nearest = 0;
+    bool First = false;
+  };
+
+  /// Makes the targets and copies the depth of what is drawn already. Returns an empty string, or what
+  /// the device could not do.
+  std::string Begin(vtkOpenGLRenderWindow* window, const Viewport& viewport, bool carry);
+
+  /// Integrates the plan's passes into the targets. False if the program does not compile.
+  bool Integrate(vtkMediumProgram& programs, vtkMediumTextures& textures,
+    const vtkMediumScene& scene, const vtkMediumPlan& plan);
+
+  /// Blends the result over the viewport. False if the program does not compile.
+  bool Show(vtkMediumProgram& programs, const Grey& grey);
+
+  /// The integrated targets, four floats a pixel, first row at the bottom; empty before any frame.
+  std::vector<float> DownloadRadiance() { return this->Download(0); }
+  std::vector<float> DownloadHits() { return this->Download(1); }
+  const Viewport& GetViewport() const { return this->View; }
+
+  vtkTypeInt64 GetBytes() const;
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  static constexpr int Targets = 3;
+
+  std::vector<float> Download(int target);
+  void SetFrameUniforms(
+    vtkShaderProgram* program, const vtkMediumScene& scene, const vtkMediumPlan& plan);
+  void SetContentUniforms(
+    vtkShaderProgram* program, const vtkMediumScene& scene, const vtkMediumPlan& plan);
+  void DrawPass(vtkMediumProgram& programs, vtkShaderProgram* program,
+    const vtkMediumPlan::Pass& pass, int set);
+  void BindTargets(int set);
+  void ClearTargets(int set);
+
+  vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
+  vtkNew<vtkTextureObject> Textures[2][Targets];
+  vtkNew<vtkTextureObject> Depth;
+  vtkOpenGLRenderWindow* Window = nullptr;
+  Viewport View;
+  int UsedTargets = 2;
+  int UsedSets = 1;
+  int Result = 0; ///< the set that holds the integrated frame
+};
+
+#endif

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkMediumImages
+ * @brief What users see of an integrated frame: distances in world units, depths, counts.
+ */
+#ifndef vtkMediumImages_h
+#define vtkMediumImages_h
+
+#include "vtkMediumCompatibility.h"
+#include "vtkMediumFrame.h"
+#include "vtkMediumScene.h"
+#include "vtkType.h"
+
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkImageData;
+VTK_ABI_NAMESPACE_END
+
+class vtkMediumImages
+{
+public:
+  /// How a frame of this output is shown as grey; radiance is shown as it is.
+  static vtkMediumFrame::Grey FindGrey(const vtkMediumScene& scene, int output);
+
+  /// Distances in world units as RGBA: to the first hit (from the eye, or from the near plane in
+  /// parallel projection), or from the first to the last one.
+  static std::vector<float> Distances(
+    const std::vector<float>& hits, const vtkMediumScene& scene, bool first);
+
+  /// Window depths, 0 to 1, of the first hits; 1 where there is none.
+  static std::vector<float> WindowDepths(
+    const std::vector<float>& hits, const vtkMediumScene::View& eye, const glm::ivec2& size);
+
+  /// Sums the look-ups and rays that the pixels counted.
+  static void Count(const std::vector<float>& hits, vtkTypeInt64& taps, vtkTypeInt64& rays);
+
+  /// Copies pixels into a float image of the given size, origin 0 and spacing 1.
+  static void Copy(const std::vector<float>& pixels, int components, const glm::ivec2& size,
+    vtkImageData* image);
+};
+
+#endif

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkMediumLightRays
+ * @brief Optical depth from any light at every lattice point, in O(N^3), along light-aligned rays.
+ *
+ * The lattice points are shared out between up to six pyramids with their apex at the light, one for
+ * each axis and sign, by the axis along which the point is furthest from the light. A pyramid is
+ * crossed by a regular grid of rays in slope space. Each ray carries its optical depth from lattice
+ * plane to lattice plane, exactly for trilinear values (two-point Gauss-Legendre sums between all
+ * crossings), so that lateral interpolation within a plane, by four-point Lagrange polynomials, is
+ * the only error and does not add up along the ray. A directional light has one pyramid, its rays
+ * parallel.
+ *
+ * Interpolation at the border of the box needs rays that pass outside of it. They carry the optical
+ * depth of the values on the faces extended outwards, counted from where the ray enters through the
+ * planes that face the light: negative before, so that the interpolated function has no kink there.
+ */
+#ifndef vtkMediumLightRays_h
+#define vtkMediumLightRays_h
+
+#include "vtkMediumExtinctionGrid.h"
+#include "vtkMediumScene.h"
+#include "vtkParticipatingMediaRenderingModule.h" // for the export macro
+
+#include <vector>
+
+class VTKPARTICIPATINGMEDIARENDERING_EXPORT vtkMediumLightRays
+{
+public:
+  /// Writes the optical depths from `light` at the lattice points of `grid`. `density` is the number
+  /// of rays a lattice step along each lateral axis, where the pyramid is widest. `reach` is as in
+  /// vtkMediumLightStencil::Apply; points that a spot light does not reach are not promised either.
+  static void Build(const vtkMediumExtinctionGrid& grid, const vtkMediumScene::Light& light,
+    double density, int reach, std::vector<float>& tau);
+};
+
+#endif

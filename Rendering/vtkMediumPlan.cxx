@@ -1,0 +1,302 @@
+// SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMediumPlan.h"
+
+#include "vtkMediumStructure.h"
+#include "vtkSingleScatteringVolumeMapper.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace
+{
+//------------------------------------------------------------------------------
+bool InUnitInterval(double value) // half open; false for NaN
+{
+  return value >= 0 && value < 1;
+}
+
+//------------------------------------------------------------------------------
+std::string Unfit(const char* what, double value, const char* expected)
+{
+  std::ostringstream text;
+  text << what << " is " << value << "; " << expected;
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
+// The sample of a function with the largest extinction among those at or above the threshold.
+glm::dvec4 DensestSample(const vtkMediumFunction& function, double threshold)
+{
+  const std::vector<glm::dvec4>& samples = function.GetSamples();
+  const double range = function.GetMaximum() - function.GetMinimum();
+  const double last = static_cast<double>(samples.size()) - 1;
+  glm::dvec4 densest = samples.back();
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    const double value = function.GetMinimum() + range * static_cast<double>(i) / last;
+    if (value >= threshold && samples[i].w > densest.w)
+    {
+      densest = samples[i];
+    }
+  }
+  return densest;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkMediumPlan::vtkMediumPlan(
+  const vtkMediumScene& scene, const Settings& settings, const Capabilities& device)
+{
+  const bool paper = settings.Integrator == vtkSingleScatteringVolumeMapper::Paper;
+  this->Fields = paper ? std::vector<vtkMediumField>{ scene.Scalars } : scene.Content.Fields;
+  this->Validate(settings, device);
+  if (!this->Refusal.empty())
+  {
+    return;
+  }
+  this->ChooseSteps(scene, settings);
+  this->Jitter = settings.Jitter;
+  // A distance goes through the whole volume, however thick it is.
+  this->TransmittanceThreshold = settings.Output == vtkSingleScatteringVolumeMapper::Radiance
+    ? settings.TransmittanceThreshold
+    : 0;
+  this->Lit = settings.Output == vtkSingleScatteringVolumeMapper::Radiance &&
+    !scene.Lights.empty() && !scene.Content.Scattering.IsZero();
+  if (paper)
+  {
+    this->PlanPaper(scene, settings);
+    if (!this->Refusal.empty())
+    {
+      return;
+    }
+  }
+  this->SplitIntoPasses(scene, settings, device);
+  this->ChooseProgram(scene, settings);
+}
+
+//------------------------------------------------------------------------------
+void vtkMediumPlan::Validate(
+  const Settings& settings, const Capabilities& device)
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  if (!(settings.SampleDistance >= 0 && settings.SampleDistance < infinity))
+  {
+    this->Refusal = Unfit("The sample distance", settings.SampleDistance,
+      "set a length > 0 in world units, or 0 for one voxel (SetSampleDistance).");
+  }
+  else if (!(settings.LightSampleDistance >= 0 && settings.LightSampleDistance < infinity))
+  {
+    this->Refusal = Unfit("The light sample distance", settings.LightSampleDistance,
+      "set a length > 0 in world units, or 0 for the eye rays' (SetLightSampleDistance).");
+  }
+  else if (!InUnitInterval(settings.Jitter))
+  {
+    this->Refusal = Unfit(
+      "The jitter", settings.Jitter, "set a fraction of a step in [0, 1) (SetJitter).");
+  }
+  else if (!InUnitInterval(settings.TransmittanceThreshold))
+  {
+    this->Refusal = Unfit("The transmittance threshold", settings.TransmittanceThreshold,
+      "set a fraction in [0, 1), 0 to never stop early (SetTransmittanceThreshold).");
+  }
+  for (const vtkMediumField& field : this->Fields)
+  {
+    const int longest =
+      std::max({ field.Dimensions.x, field.Dimensions.y, field.Dimensions.z });
+    if (this->Refusal.empty() && longest > device.TextureSize3D)
+    {
+      std::ostringstream text;
+      text << "The image has " << longest << " values along an axis, but the device's largest 3D "
+           << "texture has " << device.TextureSize3D
+           << "; resample the image or render a part of it (vtkImageResize, vtkExtractVOI).";
+      this->Refusal = text.str();
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMediumPlan::ChooseSteps(const vtkMediumScene& scene, const Settings& settings)
+{
+  const double voxel = scene.Geometry.VoxelLength;
+  const double eye = settings.SampleDistance > 0 ? settings.SampleDistance : voxel;
+  const double light = settings.LightSampleDistance > 0 ? settings.LightSampleDistance : eye;
+  this->EyeStep = std::max(eye / scene.Geometry.Length, ShortestStep);
+  this->LightStep = std::max(light / scene.Geometry.Length, ShortestStep);
+}
+
+//------------------------------------------------------------------------------
+void vtkMediumPlan::PlanPaper(const vtkMediumScene& scene, const Settings& settings)
+{
+  const vtkMediumScene::Medium& content = scene.Content;
+  const vtkMediumField& scalars = scene.Scalars;
+  if (!scalars.Array)
+  {
+    this->Refusal = "The Paper integrator compares the input's scalars with its threshold, but the "
+                    "input has no scalars; give it some, or use the FixedStep integrator.";
+    return;
+  }
+  if (!(settings.PaperThreshold <= scalars.Maximum))
+  {
+    std::ostringstream text;
+    text << "The paper threshold is " << settings.PaperThreshold
+         << ", but the scalars end at " << scalars.Maximum << " (they span " << scalars.Minimum
+         << ".." << scalars.Maximum << "), so that nothing is filled; set a threshold in that range "
+         << "(SetPaperThreshold).";
+    this->Refusal = text.str();
+    return;
+  }
+  if (settings.Output == vtkSingleScatteringVolumeMapper::Radiance && scene.Lights.empty())
+  {
+    this->Refusal = "No light is on, but the Paper integrator shows nothing but scattered light; add "
+                    "a vtkLight with an intensity > 0 to the renderer, or show distances "
+                    "(SetOutputToDistance).";
+    return;
+  }
+
+  const double range = scalars.Maximum - scalars.Minimum;
+  this->PaperThreshold = range > 0 ? (settings.PaperThreshold - scalars.Minimum) / range : 0;
+
+  using Coefficient = vtkMediumScene::Coefficient;
+  for (const Coefficient* coefficient : { &content.Extinction, &content.Scattering })
+  {
+    if (coefficient->Source == Coefficient::Field ||
+      (!coefficient->IsConstant() &&
+        content.Fields[coefficient->FieldIndex].Array != scalars.Array))
+    {
+      this->Refusal = "The Paper integrator draws a homogeneous medium, but a coefficient comes from "
+                      "an array; set constants, or use the FixedStep integrator.";
+      return;
+    }
+  }
+  auto densest = [&](const Coefficient& coefficient) {
+    if (coefficient.IsConstant())
+    {
+      return coefficient.Scale;
+    }
+    const glm::dvec4 sample =
+      DensestSample(content.Functions[coefficient.FunctionIndex], settings.PaperThreshold);
+    return coefficient.Scale *
+      (coefficient.Source == Coefficient::FunctionAlpha ? glm::dvec3(sample.w)
+                                                        : glm::dvec3(sample));
+  };
+  const double unit = content.DensityScale * scene.Geometry.Length;
+  glm::dvec3 extinction = unit * densest(content.Extinction);
+  const glm::dvec3 scattering = densest(content.Scattering) *
+    (content.ScatteringIsAlbedo ? extinction : glm::dvec3(unit));
+  if (content.ExtinctionIsAbsorption)
+  {
+    extinction += scattering;
+  }
+  this->Filled = Homogeneous{ extinction, scattering };
+}
+
+//------------------------------------------------------------------------------
+void vtkMediumPlan::SplitIntoPasses(
+  const vtkMediumScene& scene, const Settings& settings, const Capabilities& device)
+{
+  const bool paper = settings.Integrator == vtkSingleScatteringVolumeMapper::Paper;
+  // The longest ray is the volume's diagonal, one local unit. The paper's march starts anew at each
+  // surface, which at worst doubles its steps. Binary searches are written out and loop nowhere.
+  const int eyeSteps = static_cast<int>(std::ceil((paper ? 2 : 1) / this->EyeStep)) + 2;
+  const int lightIterations = 2 +
+    static_cast<int>(std::ceil(
+      paper ? 1 / this->LightStep : 1 / (this->LightStep * LightTapsPerIteration)));
+  const int eyeIterations = 2;
+
+  const int lights = this->Lit ? static_cast<int>(scene.Lights.size()) : 0;
+  const int reserve = 64;
+  const int budget = device.LoopIterations - reserve;
+  const int group =
+    std::max(1, std::min(lights, (budget - eyeIterations) / std::max(lightIterations, 1)));
+  for (int first = 0; first < std::max(lights, 1); first += group)
+  {
+    const int last = std::min(first + group, lights);
+    const int steps = std::max(1, budget / (eyeIterations + (last - first) * lightIterations));
+    for (int step = 0; step < eyeSteps; step += steps)
+    {
+      this->Passes.push_back({ first, last, step, std::min(step + steps, eyeSteps) });
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMediumPlan::ChooseProgram(const vtkMediumScene& scene, const Settings& settings)
+{
+  const bool paper = settings.Integrator == vtkSingleScatteringVolumeMapper::Paper;
+  std::ostringstream defines;
+  if (this->Lit)
+  {
+    defines << "#define LIT\n";
+  }
+  if (this->Passes.size() > 1)
+  {
+    defines << "#define CARRY_STATE\n";
+  }
+  if (paper)
+  {
+    defines << "#define BINARY_SEARCH_ITERATIONS " << settings.BinarySearchIterations << "\n";
+    defines << (settings.AssumeConvex ? "#define ASSUME_CONVEX\n" : "");
+  }
+  if (settings.CountTaps)
+  {
+    defines << "#define COUNT_TAPS\n";
+  }
+  const bool firstHit = settings.Output == vtkSingleScatteringVolumeMapper::FirstHit;
+  defines << "#define FIRST_HIT_ONLY " << (firstHit ? "true" : "false") << "\n";
+  defines << "#define LIGHT_TAPS " << LightTapsPerIteration << "\n";
+  defines << vtkMediumStructure::FieldDefines(this->Fields);
+  if (!paper)
+  {
+    defines << vtkMediumStructure::ContentDefines(scene.Content);
+  }
+  defines << vtkMediumStructure::LightDefines(scene.Lights);
+  defines << vtkMediumStructure::PhaseDefines(scene.Content, paper);
+  this->ShaderDefines = defines.str();
+
+  this->ShaderFiles = { "Phase", "RayBox", "Segment", "Transmittance", "Frame", "EyeRay", "Fields" };
+  if (this->Lit)
+  {
+    this->ShaderFiles.insert(this->ShaderFiles.end(), { "Light", "Lights" });
+  }
+  if (paper)
+  {
+    this->ShaderFiles.insert(this->ShaderFiles.end(), { "PaperSearch", "Paper" });
+    return;
+  }
+  this->ShaderFiles.push_back("Content");
+  if (this->Lit)
+  {
+    this->ShaderFiles.push_back("LightRay");
+  }
+  this->ShaderFiles.push_back("FixedStep");
+}
+
+//------------------------------------------------------------------------------
+glm::ivec4 vtkMediumPlan::FindScissor(const vtkMediumScene::View& eye,
+  const vtkMediumScene::Box& box, const glm::ivec2& viewportSize)
+{
+  glm::dvec2 lower(1), upper(-1);
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const glm::dvec3 at(corner & 1, corner >> 1 & 1, corner >> 2 & 1);
+    const glm::dvec4 clip = eye.LocalToClip * glm::dvec4(box.BoxToLocal(at), 1);
+    if (!(clip.w > 0)) // beside or behind the eye: the projection says nothing
+    {
+      return { 0, 0, viewportSize };
+    }
+    lower = glm::min(lower, glm::dvec2(clip) / clip.w);
+    upper = glm::max(upper, glm::dvec2(clip) / clip.w);
+  }
+  const glm::dvec2 size(viewportSize);
+  const glm::dvec2 first = glm::clamp(glm::floor((lower * 0.5 + 0.5) * size) - 1.0, glm::dvec2(0), size);
+  const glm::dvec2 last = glm::clamp(glm::ceil((upper * 0.5 + 0.5) * size) + 1.0, glm::dvec2(0), size);
+  const glm::ivec2 extent = glm::max(glm::ivec2(last - first), glm::ivec2(0));
+  return { glm::ivec2(first), extent };
+}

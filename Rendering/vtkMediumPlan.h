@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkMediumPlan
+ * @brief What a scene needs and what it does not, decided before anything is drawn.
+ *
+ * A plan is a pure function of the scene, the settings and what the device can do. It has no OpenGL
+ * in it, so that each decision is a row in a table of unit tests.
+ */
+#ifndef vtkMediumPlan_h
+#define vtkMediumPlan_h
+
+#include "vtkMediumScene.h"
+#include "vtkParticipatingMediaRenderingModule.h" // for the export macro
+
+#include <string>
+#include <vector>
+
+class VTKPARTICIPATINGMEDIARENDERING_EXPORT vtkMediumPlan
+{
+public:
+  /// What the user asked for; the mapper's members, with its enumerations.
+  struct Settings
+  {
+    int Integrator = 1;
+    int Output = 0;
+    double SampleDistance = 0;      ///< world units; 0: one voxel
+    double LightSampleDistance = 0; ///< world units; 0: the eye ray's
+    int BinarySearchIterations = 5;
+    double Jitter = 0.2;
+    double TransmittanceThreshold = 1.0 / 1024;
+    double PaperThreshold = 0.5;
+    bool AssumeConvex = false;
+    bool CountTaps = false;
+  };
+
+  /// What the device can do.
+  struct Capabilities
+  {
+    /// Loop iterations that one fragment may spend in one draw. Mesa's software renderers end every
+    /// loop of a fragment, in silence, once 65,536 iterations have been spent in it.
+    int LoopIterations = 65536;
+    int TextureSize3D = 2048;
+  };
+
+  /// A part of the frame that one draw integrates.
+  struct Pass
+  {
+    int FirstLight = 0, LastLight = 0; ///< [first, last)
+    int FirstStep = 0, LastStep = 0;   ///< [first, last) along the eye ray
+  };
+
+  /// The homogeneous medium of the Paper integrator, per local unit.
+  struct Homogeneous
+  {
+    glm::dvec3 Extinction{ 0 };
+    glm::dvec3 Scattering{ 0 };
+  };
+
+  /// The shortest step, as a fraction of the volume's diagonal; beyond it float adds only rounding.
+  static constexpr double ShortestStep = 1.0 / 100000;
+  /// Look-ups in one iteration of a light ray's loop.
+  static constexpr int LightTapsPerIteration = 4;
+
+  vtkMediumPlan(const vtkMediumScene& scene, const Settings& settings, const Capabilities& device);
+
+  /// Empty, or why the frame cannot be drawn right: what was found, expected, and what to do.
+  std::string Refusal;
+
+  bool Lit = false;          ///< light rays are marched: there is light, and something scatters it
+  double EyeStep = 0;        ///< local units
+  double LightStep = 0;      ///< local units
+  double TransmittanceThreshold = 0;
+  double Jitter = 0; ///< Paper: fraction of a step
+  double PaperThreshold = 0; ///< Paper: in the units of the texture, 0…1 over the field's range
+  Homogeneous Filled;        ///< Paper
+  std::vector<vtkMediumField> Fields; ///< the textures that the integrator reads, by number
+  std::vector<Pass> Passes;
+
+  std::vector<std::string> ShaderFiles; ///< in order, without prefix and suffix
+  std::string ShaderDefines;            ///< the structural choices, as preprocessor lines
+
+  /// Where the volume can be seen: x, y, width, height in pixels; zero size where it cannot.
+  static glm::ivec4 FindScissor(const vtkMediumScene::View& eye, const vtkMediumScene::Box& box,
+    const glm::ivec2& viewportSize);
+
+private:
+  void Validate(const Settings&, const Capabilities&);
+  void ChooseSteps(const vtkMediumScene&, const Settings&);
+  void PlanPaper(const vtkMediumScene&, const Settings&);
+  void SplitIntoPasses(const vtkMediumScene&, const Settings&, const Capabilities&);
+  void ChooseProgram(const vtkMediumScene&, const Settings&);
+};
+
+#endif

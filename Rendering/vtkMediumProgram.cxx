@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMediumProgram.h"
+
+#include "vtkMediumShaderTexts.h"
+
+#include "vtkOpenGLQuadHelper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkShaderProgram.h"
+#include "vtkTimerLog.h"
+
+//------------------------------------------------------------------------------
+vtkMediumProgram::vtkMediumProgram() = default;
+
+//------------------------------------------------------------------------------
+vtkMediumProgram::~vtkMediumProgram() = default;
+
+//------------------------------------------------------------------------------
+std::string vtkMediumProgram::Assemble(
+  const std::vector<std::string>& files, const std::string& defines)
+{
+  std::string text = vtkMediumShaderText("Prologue");
+  text += defines;
+  for (const std::string& file : files)
+  {
+    text += vtkMediumShaderText(file);
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
+vtkShaderProgram* vtkMediumProgram::Use(vtkOpenGLRenderWindow* window,
+  const std::vector<std::string>& files, const std::string& defines)
+{
+  std::string key = defines;
+  for (const std::string& file : files)
+  {
+    key += file + ' ';
+  }
+  this->CompileMilliseconds = 0;
+  std::unique_ptr<vtkOpenGLQuadHelper>& quad = this->Quads[key];
+  if (!quad)
+  {
+    const double before = vtkTimerLog::GetUniversalTime();
+    const std::string text = vtkMediumProgram::Assemble(files, defines);
+    quad.reset(new vtkOpenGLQuadHelper(window, nullptr, text.c_str(), nullptr));
+    this->CompileMilliseconds = 1e3 * (vtkTimerLog::GetUniversalTime() - before);
+    ++this->Compiles;
+  }
+  this->Current = quad.get();
+  if (!quad->Program || !quad->Program->GetCompiled())
+  {
+    return nullptr;
+  }
+  // Another pass may have made its own program current since the last draw.
+  window->GetShaderCache()->ReadyShaderProgram(quad->Program);
+  return quad->Program;
+}
+
+//------------------------------------------------------------------------------
+void vtkMediumProgram::Draw()
+{
+  this->Current->Render();
+}
+
+//------------------------------------------------------------------------------
+void vtkMediumProgram::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (auto& entry : this->Quads)
+  {
+    entry.second->ReleaseGraphicsResources(window);
+  }
+  this->Quads.clear();
+  this->Current = nullptr;
+}

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkMediumProgram
+ * @brief The shader programs of a window: assembled from files, compiled once for each structure.
+ */
+#ifndef vtkMediumProgram_h
+#define vtkMediumProgram_h
+
+#include "vtkMediumCompatibility.h"
+#include "vtkParticipatingMediaRenderingModule.h" // for the export macro
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkOpenGLQuadHelper;
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+class vtkWindow;
+VTK_ABI_NAMESPACE_END
+
+class VTKPARTICIPATINGMEDIARENDERING_EXPORT vtkMediumProgram
+{
+public:
+  vtkMediumProgram();
+  ~vtkMediumProgram();
+
+  /// The text of a shader: VTK's tags, the definitions, then the files in order. A file is named
+  /// without its prefix "vtkMedium" and its suffix; a name that does not exist is an empty text.
+  static std::string Assemble(const std::vector<std::string>& files, const std::string& defines);
+
+  /// Makes the program of these files and definitions current, compiling it if it is new. Null if it
+  /// does not compile; then VTK has reported the compiler's words.
+  vtkShaderProgram* Use(vtkOpenGLRenderWindow* window, const std::vector<std::string>& files,
+    const std::string& defines);
+
+  /// Draws the full viewport with the program last made current.
+  void Draw();
+
+  /// Programs compiled since creation, and the milliseconds that the last Use spent on it.
+  int GetCompiles() const { return this->Compiles; }
+  double GetCompileMilliseconds() const { return this->CompileMilliseconds; }
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  std::map<std::string, std::unique_ptr<vtkOpenGLQuadHelper>> Quads;
+  vtkOpenGLQuadHelper* Current = nullptr;
+  int Compiles = 0;
+  double CompileMilliseconds = 0;
+};
+
+#endif

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMediumStructure.h"
+
+#include <sstream>
+
+namespace
+{
+//------------------------------------------------------------------------------
+// A coefficient as an expression of the box coordinate `box`: its source times its scale.
+std::string Expression(const vtkMediumScene::Coefficient& coefficient, const char* scale,
+  const vtkMediumScene::Medium& content)
+{
+  using Coefficient = vtkMediumScene::Coefficient;
+  std::ostringstream text;
+  switch (coefficient.Source)
+  {
+    case Coefficient::Field:
+    {
+      const char* swizzles[4] = { ".rrr", ".ggg", ".bbb", ".aaa" };
+      const bool rgb = coefficient.Component < 0 &&
+        content.Fields[coefficient.FieldIndex].Components >= 3;
+      text << "(fieldValue(" << coefficient.FieldIndex << ", box)"
+           << (rgb ? ".rgb" : swizzles[coefficient.Component < 0 ? 0 : coefficient.Component]) << " * "
+           << scale << ")";
+      break;
+    }
+    case Coefficient::FunctionRGB:
+    case Coefficient::FunctionAlpha:
+      text << "(functionValue(" << coefficient.FunctionIndex << ", fieldTexel("
+           << coefficient.FieldIndex << ", box).r)"
+           << (coefficient.Source == Coefficient::FunctionRGB ? ".rgb" : ".aaa") << " * " << scale
+           << ")";
+      break;
+    default:
+      text << scale;
+  }
+  return text.str();
+}
+}
+
+//------------------------------------------------------------------------------
+std::string vtkMediumStructure::FieldDefines(const std::vector<vtkMediumField>& fields)
+{
+  std::ostringstream text;
+  text << "#define FIELD_COUNT " << fields.size() << "\n";
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkMediumStructure::ContentDefines(const vtkMediumScene::Medium& content)
+{
+  std::ostringstream text;
+  text << "#define FUNCTION_COUNT " << content.Functions.size() << "\n";
+  text << "#define EXTINCTION(box) " << Expression(content.Extinction, "extinctionScale", content)
+       << "\n";
+  text << "#define SCATTERING(box) " << Expression(content.Scattering, "scatteringScale", content)
+       << "\n";
+  if (content.ExtinctionIsAbsorption)
+  {
+    text << "#define EXTINCTION_IS_ABSORPTION\n";
+  }
+  if (content.ScatteringIsAlbedo)
+  {
+    text << "#define SCATTERING_IS_ALBEDO\n";
+  }
+  if (!content.Emission.IsZero())
+  {
+    text << "#define EMISSION(box) " << Expression(content.Emission, "emissionScale", content)
+         << "\n";
+  }
+  text << "#define ANISOTROPY(box) " << Expression(content.Anisotropy, "anisotropyScale", content)
+       << ".x\n";
+  if (content.ChromaticExtinction)
+  {
+    text << "#define CHROMATIC_EXTINCTION\n";
+  }
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkMediumStructure::LightDefines(const std::vector<vtkMediumScene::Light>& lights)
+{
+  bool positional = false, spot = false;
+  for (const vtkMediumScene::Light& light : lights)
+  {
+    positional |= light.Type != vtkMediumScene::Light::Directional;
+    spot |= light.Type == vtkMediumScene::Light::Spot;
+  }
+  std::string text;
+  text += positional ? "#define POSITIONAL_LIGHTS\n" : "";
+  text += spot ? "#define SPOT_LIGHTS\n" : "";
+  return text;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkMediumStructure::PhaseDefines(const vtkMediumScene::Medium& content, bool schlick)
+{
+  const bool isotropic = content.Anisotropy.IsZero() &&
+    (schlick || content.Phase == vtkMediumScene::HenyeyGreenstein ||
+      content.Phase == vtkMediumScene::Schlick);
+  if (isotropic || content.Phase == vtkMediumScene::Isotropic)
+  {
+    return "#define PHASE(cosTheta, g) phaseIsotropic()\n";
+  }
+  if (schlick || content.Phase == vtkMediumScene::Schlick)
+  {
+    return "#define PHASE(cosTheta, g) phaseSchlick(cosTheta, phaseSchlickFromG(g))\n";
+  }
+  return "#define PHASE(cosTheta, g) phaseHenyeyGreenstein(cosTheta, g)\n";
+}

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkMediumStructure
+ * @brief The structural choices of a shader program, written as preprocessor definitions.
+ *
+ * Only structure becomes text: which coefficient reads which texture, which kinds of light there are,
+ * which phase function. Every number stays a uniform, so that changing one compiles nothing.
+ */
+#ifndef vtkMediumStructure_h
+#define vtkMediumStructure_h
+
+#include "vtkMediumScene.h"
+#include "vtkParticipatingMediaRenderingModule.h" // for the export macro
+
+#include <string>
+#include <vector>
+
+class VTKPARTICIPATINGMEDIARENDERING_EXPORT vtkMediumStructure
+{
+public:
+  static std::string FieldDefines(const std::vector<vtkMediumField>& fields);
+  static std::string ContentDefines(const vtkMediumScene::Medium& content);
+  static std::string LightDefines(const std::vector<vtkMediumScene::Light>& lights);
+  static std::string PhaseDefines(const vtkMediumScene::Medium& content, bool schlick);
+};
+
+#endif

@@ -1,0 +1,253 @@
+// SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMediumTextures.h"
+
+#include "vtkMediumFormulas.h"
+#include "vtkMediumTexels.h"
+
+#include "vtkMediumOpenGL.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace
+{
+constexpr int JitterSize = 64;          // texels along an edge of the table of random numbers
+constexpr int TexelsPerLight = 4;       // see Shaders/vtkMediumLights.glsl
+
+//------------------------------------------------------------------------------
+void AppendTexel(std::vector<float>& texels, const glm::dvec3& rgb, double alpha)
+{
+  for (int c = 0; c < 3; ++c)
+  {
+    texels.push_back(static_cast<float>(rgb[c]));
+  }
+  texels.push_back(static_cast<float>(alpha));
+}
+
+//------------------------------------------------------------------------------
+std::string Indexed(const char* name, std::size_t index)
+{
+  return std::string(name) + '[' + std::to_string(index) + ']';
+}
+}
+
+//------------------------------------------------------------------------------
+std::string vtkMediumTextures::Update(
+  vtkOpenGLRenderWindow* window, const vtkMediumScene& scene, const vtkMediumPlan& plan)
+{
+  this->Window = window;
+  this->NonFinite = 0;
+  while (this->Fields.size() < plan.Fields.size())
+  {
+    this->Fields.emplace_back(new FieldTexture);
+  }
+  for (std::size_t i = 0; i < plan.Fields.size(); ++i)
+  {
+    if (!this->UpdateField(*this->Fields[i], plan.Fields[i]))
+    {
+      const glm::ivec3& size = plan.Fields[i].Dimensions;
+      std::ostringstream text;
+      text << "The device could not allocate a 3D texture of " << size.x << " x " << size.y << " x "
+           << size.z << " x " << plan.Fields[i].Components
+           << " floats; free device memory, or resample the image (vtkImageResize).";
+      return text.str();
+    }
+  }
+  this->UpdateFunctions(scene.Content.Functions);
+  this->UpdateLights(scene.Lights);
+  this->UpdateJitter();
+  return {};
+}
+
+//------------------------------------------------------------------------------
+bool vtkMediumTextures::UpdateField(FieldTexture& texture, const vtkMediumField& field)
+{
+  vtkTextureObject* object = texture.Texture;
+  const bool kept = object->GetHandle() && texture.Array == field.Array.Get() &&
+    texture.Time == field.Time && texture.FirstComponent == field.FirstComponent &&
+    texture.Components == field.Components && texture.Dimensions == field.Dimensions;
+  if (!kept)
+  {
+    const std::vector<float> texels = vtkMediumTexels(field, this->NonFinite);
+    object->SetContext(this->Window);
+    object->SetWrapS(vtkTextureObject::ClampToEdge);
+    object->SetWrapT(vtkTextureObject::ClampToEdge);
+    object->SetWrapR(vtkTextureObject::ClampToEdge);
+    while (glGetError() != GL_NO_ERROR)
+    {
+    }
+    const bool created = object->Create3DFromRaw(field.Dimensions.x, field.Dimensions.y,
+      field.Dimensions.z, field.Components, VTK_FLOAT, const_cast<float*>(texels.data()));
+    if (!created || glGetError() != GL_NO_ERROR)
+    {
+      object->ReleaseGraphicsResources(this->Window);
+      return false;
+    }
+    texture.Array = field.Array;
+    texture.Time = field.Time;
+    texture.FirstComponent = field.FirstComponent;
+    texture.Components = field.Components;
+    texture.Dimensions = field.Dimensions;
+    ++this->Uploads;
+  }
+  const int filter = field.Linear ? vtkTextureObject::Linear : vtkTextureObject::Nearest;
+  object->SetMinificationFilter(filter);
+  object->SetMagnificationFilter(filter);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkMediumTextures::UploadTable(vtkTextureObject* texture, int width, int height,
+  int components, const std::vector<float>& texels, bool linear)
+{
+  const int filter = linear ? vtkTextureObject::Linear : vtkTextureObject::Nearest;
+  texture->SetContext(this->Window);
+  texture->SetWrapS(vtkTextureObject::ClampToEdge);
+  texture->SetWrapT(vtkTextureObject::ClampToEdge);
+  texture->SetMinificationFilter(filter);
+  texture->SetMagnificationFilter(filter);
+  texture->Create2DFromRaw(
+    width, height, components, VTK_FLOAT, const_cast<float*>(texels.data()));
+  ++this->Uploads;
+}
+
+//------------------------------------------------------------------------------
+void vtkMediumTextures::UpdateFunctions(const std::vector<vtkMediumFunction>& functions)
+{
+  if (functions.empty() || (this->FunctionTable->GetHandle() && functions == this->Functions))
+  {
+    return;
+  }
+  std::vector<float> texels;
+  for (const vtkMediumFunction& function : functions)
+  {
+    for (const glm::dvec4& sample : function.GetSamples())
+    {
+      AppendTexel(texels, glm::dvec3(sample), sample.w);
+    }
+  }
+  const int width = static_cast<int>(functions.front().GetSamples().size());
+  this->UploadTable(
+    this->FunctionTable, width, static_cast<int>(functions.size()), 4, texels, true);
+  this->Functions = functions;
+}
+
+//------------------------------------------------------------------------------
+void vtkMediumTextures::UpdateLights(const std::vector<vtkMediumScene::Light>& lights)
+{
+  std::vector<float> texels;
+  for (const vtkMediumScene::Light& light : lights)
+  {
+    const bool directional = light.Type == vtkMediumScene::Light::Directional;
+    AppendTexel(texels, directional ? -light.Direction : light.Position, light.Type);
+    AppendTexel(texels, light.Irradiance, light.CosCone);
+    AppendTexel(texels, light.Attenuation, light.Exponent);
+    AppendTexel(texels, light.Direction, 0);
+  }
+  if (texels.empty() || (this->LightTable->GetHandle() && texels == this->LightTexels))
+  {
+    return;
+  }
+  this->UploadTable(
+    this->LightTable, TexelsPerLight, static_cast<int>(lights.size()), 4, texels, false);
+  this->LightTexels = texels;
+}
+
+//------------------------------------------------------------------------------
+void vtkMediumTextures::UpdateJitter()
+{
+  if (this->JitterTable->GetHandle())
+  {
+    return;
+  }
+  std::vector<float> texels;
+  for (unsigned int y = 0; y < JitterSize; ++y)
+  {
+    for (unsigned int x = 0; x < JitterSize; ++x)
+    {
+      texels.push_back(vtkMediumFormulas::Float::jitterOffset(x, y, 0u));
+    }
+  }
+  this->UploadTable(this->JitterTable, JitterSize, JitterSize, 1, texels, false);
+}
+
+//------------------------------------------------------------------------------
+void vtkMediumTextures::Activate(vtkShaderProgram* program, const vtkMediumPlan& plan)
+{
+  auto activate = [&](vtkTextureObject* texture, const std::string& name) {
+    if (texture->GetHandle() && program->IsUniformUsed(name.c_str()))
+    {
+      texture->Activate();
+      program->SetUniformi(name.c_str(), texture->GetTextureUnit());
+      this->Active.push_back(texture);
+    }
+  };
+  for (std::size_t i = 0; i < plan.Fields.size(); ++i)
+  {
+    const vtkMediumField& field = plan.Fields[i];
+    activate(this->Fields[i]->Texture, Indexed("fields", i));
+    // Box to texture coordinates; texel centres lie half a texel inside the texture.
+    const glm::dvec3 first = field.BoxToLattice(glm::dvec3(0));
+    const glm::dvec3 last = field.BoxToLattice(glm::dvec3(1));
+    const glm::dvec3 size(field.Dimensions);
+    const glm::vec3 scale((last - first) / size);
+    const glm::vec3 bias((first + 0.5) / size);
+    program->SetUniform3f(Indexed("fieldScale", i).c_str(), &scale[0]);
+    program->SetUniform3f(Indexed("fieldBias", i).c_str(), &bias[0]);
+    program->SetUniformf(Indexed("fieldMinimum", i).c_str(), static_cast<float>(field.Minimum));
+    program->SetUniformf(
+      Indexed("fieldRange", i).c_str(), static_cast<float>(field.Maximum - field.Minimum));
+  }
+  if (!this->Functions.empty())
+  {
+    // A texel of 0 is the centre of the first entry, 1 that of the last.
+    const float width = static_cast<float>(this->Functions.front().GetSamples().size());
+    const float scale[2] = { (width - 1) / width, 0.5f / width };
+    program->SetUniform2f("functionScale", scale);
+  }
+  activate(this->FunctionTable, "functions");
+  activate(this->LightTable, "lights");
+  activate(this->JitterTable, "jitterTable");
+}
+
+//------------------------------------------------------------------------------
+void vtkMediumTextures::Deactivate()
+{
+  for (vtkTextureObject* texture : this->Active)
+  {
+    texture->Deactivate();
+  }
+  this->Active.clear();
+}
+
+//------------------------------------------------------------------------------
+void vtkMediumTextures::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (auto& field : this->Fields)
+  {
+    field->Texture->ReleaseGraphicsResources(window);
+  }
+  this->Fields.clear();
+  this->FunctionTable->ReleaseGraphicsResources(window);
+  this->LightTable->ReleaseGraphicsResources(window);
+  this->JitterTable->ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkMediumTextures::GetBytes() const
+{
+  vtkTypeInt64 floats = JitterSize * JitterSize + this->LightTexels.size();
+  for (const auto& field : this->Fields)
+  {
+    const glm::ivec3& size = field->Dimensions;
+    floats += static_cast<vtkTypeInt64>(size.x) * size.y * size.z * field->Components;
+  }
+  for (const vtkMediumFunction& function : this->Functions)
+  {
+    floats += 4 * function.GetSamples().size();
+  }
+  return floats * sizeof(float);
+}
