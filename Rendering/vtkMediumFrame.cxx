@@ -123,6 +123,7 @@ void vtkMediumFrame::SetFrameUniforms(
   SetUniform(program, "eyeStep", plan.EyeStep);
   SetUniform(program, "lightStep", plan.LightStep);
   SetUniform(program, "transmittanceThreshold", plan.TransmittanceThreshold);
+  SetUniform(program, "depthTransmittance", plan.DepthTransmittance);
   SetUniform(program, "viewportSize", this->View.Size);
   SetUniform(program, "eyeOrigin", eye.Origin);
   SetUniform(program, "eyeOriginX", eye.OriginX);
@@ -235,7 +236,7 @@ void vtkMediumFrame::DrawPass(vtkMediumProgram& programs, vtkShaderProgram* prog
 }
 
 //------------------------------------------------------------------------------
-bool vtkMediumFrame::Show(vtkMediumProgram& programs, const Grey& grey)
+bool vtkMediumFrame::Show(vtkMediumProgram& programs, const Shown& shown)
 {
   vtkOpenGLState* state = this->Window->GetState();
   vtkShaderProgram* program = programs.Use(this->Window, { "Display" }, "");
@@ -261,9 +262,9 @@ bool vtkMediumFrame::Show(vtkMediumProgram& programs, const Grey& grey)
   hits->Activate();
   program->SetUniformi("radiance", radiance->GetTextureUnit());
   program->SetUniformi("hits", hits->GetTextureUnit());
-  SetUniform(program, "distanceScale", grey.Scale);
-  SetUniform(program, "distanceNearest", grey.Nearest);
-  program->SetUniformi("showFirst", grey.First);
+  program->SetUniformi("shown", shown.Content);
+  SetUniform(program, "nearest", shown.Nearest);
+  SetUniform(program, "scale", shown.Scale);
   programs.Draw();
   hits->Deactivate();
   radiance->Deactivate();

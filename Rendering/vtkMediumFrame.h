@@ -42,11 +42,20 @@ public:
   };
 
   /// How the shown frame is made of the integrated one; see Shaders/vtkMediumDisplay.glsl.
-  struct Grey
+  struct Shown
   {
-    double Scale = 0; ///< 0: radiance
-    double Nearest = 0;
-    bool First = false;
+    enum Contents
+    {
+      Radiance,
+      Transmittance,
+      OpticalDepth,
+      FirstHit,
+      Distance,
+      Count,
+    };
+    Contents Content = Radiance;
+    double Nearest = 0; ///< the value that is shown as 0
+    double Scale = 1;   ///< 1 / (the value that is shown as 1, less that)
   };
 
   /// Makes the targets and copies the depth of what is drawn already. Returns an empty string, or what
@@ -58,7 +67,7 @@ public:
     const vtkMediumScene& scene, const vtkMediumPlan& plan);
 
   /// Blends the result over the viewport. False if the program does not compile.
-  bool Show(vtkMediumProgram& programs, const Grey& grey);
+  bool Show(vtkMediumProgram& programs, const Shown& shown);
 
   /// The integrated targets, four floats a pixel, first row at the bottom; empty before any frame.
   std::vector<float> DownloadRadiance() { return this->Download(0); }

@@ -19,51 +19,100 @@ bool IsHit(float first)
 {
   return first > vtkMediumFrame::NoHit;
 }
+
+//------------------------------------------------------------------------------
+// The t of the nearest and of the farthest corner. Along parallel rays t counts from the plane through
+// the local origin.
+glm::dvec2 FindRange(const vtkMediumScene& scene)
+{
+  glm::dvec2 range(std::numeric_limits<double>::infinity(), 0);
+  range[1] = -range[0];
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const glm::dvec3 at =
+      scene.Geometry.BoxToLocal(glm::dvec3(corner & 1, corner >> 1 & 1, corner >> 2 & 1));
+    const double distance = scene.Eye.Parallel ? glm::dot(at, scene.Eye.Direction)
+                                               : glm::distance(at, scene.Eye.Origin);
+    range[0] = std::min(range[0], distance);
+    range[1] = std::max(range[1], distance);
+  }
+  return range;
+}
 }
 
 //------------------------------------------------------------------------------
-vtkMediumFrame::Grey vtkMediumImages::FindGrey(const vtkMediumScene& scene, int output)
+vtkMediumFrame::Shown vtkMediumImages::FindShown(const vtkMediumScene& scene, int output)
 {
-  vtkMediumFrame::Grey grey;
-  if (output == vtkSingleScatteringVolumeMapper::Radiance)
+  using Shown = vtkMediumFrame::Shown;
+  Shown shown;
+  switch (output)
   {
-    return grey;
-  }
-  grey.Scale = 1; // the volume's diagonal is one local unit
-  grey.First = output == vtkSingleScatteringVolumeMapper::FirstHit;
-  if (grey.First)
-  {
-    // As the shader has it: along parallel rays t counts from the plane through the local origin.
-    double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
-    for (int corner = 0; corner < 8; ++corner)
+    case vtkSingleScatteringVolumeMapper::Transmittance:
+      shown.Content = Shown::Transmittance;
+      break;
+    case vtkSingleScatteringVolumeMapper::OpticalDepth:
+      shown.Content = Shown::OpticalDepth;
+      break;
+    case vtkSingleScatteringVolumeMapper::Distance:
+      shown.Content = Shown::Distance; // the volume's diagonal is one local unit
+      break;
+    case vtkSingleScatteringVolumeMapper::SampleCount:
+      shown.Content = Shown::Count;
+      shown.Scale = 1.0 / 1000;
+      break;
+    case vtkSingleScatteringVolumeMapper::FirstHit:
+    case vtkSingleScatteringVolumeMapper::Depth:
     {
-      const glm::dvec3 at = scene.Geometry.BoxToLocal(
-        glm::dvec3(corner & 1, corner >> 1 & 1, corner >> 2 & 1));
-      const double distance = scene.Eye.Parallel ? glm::dot(at, scene.Eye.Direction)
-                                                 : glm::distance(at, scene.Eye.Origin);
-      nearest = std::min(nearest, distance);
-      farthest = std::max(farthest, distance);
+      shown.Content = Shown::FirstHit;
+      const glm::dvec2 range = FindRange(scene);
+      shown.Nearest = range[0];
+      shown.Scale = 1 / (range[1] - range[0]);
+      break;
     }
-    grey.Nearest = nearest;
-    grey.Scale = 1 / (farthest - nearest);
+    default:
+      break;
   }
-  return grey;
+  return shown;
 }
 
 //------------------------------------------------------------------------------
-std::vector<float> vtkMediumImages::Distances(
-  const std::vector<float>& hits, const vtkMediumScene& scene, bool first)
+std::vector<float> vtkMediumImages::Values(const std::vector<float>& radiance,
+  const std::vector<float>& hits, const vtkMediumScene& scene, int output)
 {
+  using Mapper = vtkSingleScatteringVolumeMapper;
+  if (output == Mapper::Radiance)
+  {
+    return radiance;
+  }
   std::vector<float> pixels(hits.size(), 0.0f);
   for (std::size_t i = 0; i < hits.size(); i += 4)
   {
-    if (IsHit(hits[i]))
+    const bool met = hits[i + 3] > 0;
+    const float* source = nullptr;
+    float value = output == Mapper::Transmittance ? 1.0f : 0.0f;
+    bool has = output == Mapper::Transmittance || output == Mapper::OpticalDepth;
+    if (has && met)
     {
-      const double from = first ? scene.Eye.Start : hits[i];
-      const double local = (first ? hits[i] : hits[i + 1]) - from;
-      std::fill_n(&pixels[i], 3, static_cast<float>(local * scene.Geometry.Length));
-      pixels[i + 3] = 1;
+      source = &radiance[i];
     }
+    else if (output == Mapper::SampleCount)
+    {
+      has = met;
+      value = hits[i + 2];
+    }
+    else if (!has && IsHit(hits[i]))
+    {
+      const bool first = output != Mapper::Distance;
+      const double local = first ? hits[i] - scene.Eye.Start
+                                 : static_cast<double>(hits[i + 1]) - hits[i];
+      has = true;
+      value = static_cast<float>(local * scene.Geometry.Length);
+    }
+    for (int c = 0; c < 3; ++c)
+    {
+      pixels[i + c] = source ? source[c] : value;
+    }
+    pixels[i + 3] = has ? 1.0f : 0.0f;
   }
   return pixels;
 }

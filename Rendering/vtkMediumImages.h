@@ -21,13 +21,13 @@ VTK_ABI_NAMESPACE_END
 class vtkMediumImages
 {
 public:
-  /// How a frame of this output is shown as grey; radiance is shown as it is.
-  static vtkMediumFrame::Grey FindGrey(const vtkMediumScene& scene, int output);
+  /// How a frame of this output is shown in the window.
+  static vtkMediumFrame::Shown FindShown(const vtkMediumScene& scene, int output);
 
-  /// Distances in world units as RGBA: to the first hit (from the eye, or from the near plane in
-  /// parallel projection), or from the first to the last one.
-  static std::vector<float> Distances(
-    const std::vector<float>& hits, const vtkMediumScene& scene, bool first);
+  /// The values of an output as RGBA, in their own units, with alpha 1 where a ray has one: distances
+  /// to the first hit count from the eye, in parallel projection from the near plane.
+  static std::vector<float> Values(const std::vector<float>& radiance,
+    const std::vector<float>& hits, const vtkMediumScene& scene, int output);
 
   /// Window depths, 0 to 1, of the first hits; 1 where there is none.
   static std::vector<float> WindowDepths(

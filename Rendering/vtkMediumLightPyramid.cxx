@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMediumLightPyramid.h"
 
-#include "vtkMediumLightMarch.h"
-
 #include "vtkSMPTools.h"
 
 #include <glm/geometric.hpp>
@@ -13,11 +11,9 @@
 
 namespace
 {
-// Rays within this many spacings of the box take part in interpolation at its border; two do so
-// directly, the third covers rounding.
-constexpr double Margin = 3;
-
-constexpr int BrickShift = 3; // bricks of 8 cells
+// Rays within this many spacings of the box take part in interpolation at its border; three do so
+// directly, the fourth covers rounding.
+constexpr int Margin = 4;
 
 //------------------------------------------------------------------------------
 // Four-point Lagrange weights for nodes -1, 0, 1, 2.
@@ -28,6 +24,17 @@ void LagrangeWeights(float t, float weights[4])
   weights[2] = -(t + 1) * t * (t - 2) * 0.5f;
   weights[3] = (t + 1) * t * (t - 1) * (1.0f / 6);
 }
+
+//------------------------------------------------------------------------------
+// The error of the cubic through nodes -1…2 at t is estimated from six nodes: their second
+// differences around t less those further out, which is 0 for cubics and the whole jump of the slope
+// for a kink between the nodes 0 and 1. A kink at t = 1/2 is missed by 3/16 of that jump.
+float EstimateWeight(float t)
+{
+  return 0.75f * t * (1 - t);
+}
+
+const float KinkDifference[6] = { -1, 3, -2, -2, 3, -1 };
 
 //------------------------------------------------------------------------------
 // Narrows [first, last] to where a D <= b.
@@ -50,8 +57,9 @@ void Restrict(double a, double b, double& first, double& last)
 
 //------------------------------------------------------------------------------
 vtkMediumLightPyramid::vtkMediumLightPyramid(
-  const vtkMediumExtinctionGrid& grid, int axis, int sign)
+  const vtkMediumExtinctionGrid& grid, const vtkMediumCellSums& sums, int axis, int sign)
   : Grid(grid)
+  , Sums(sums)
   , AxisW(axis)
   , Sign(sign)
 {
@@ -73,9 +81,8 @@ vtkMediumLightPyramid::vtkMediumLightPyramid(
 //------------------------------------------------------------------------------
 void vtkMediumLightPyramid::PlaceRays(Lateral& lateral, double first, double last)
 {
-  const double before = 2; // one for the interpolation, one for rounding
-  const int count = static_cast<int>(std::ceil((last - first) / lateral.Spacing)) + 6;
-  lateral.FirstRay = first - before * lateral.Spacing;
+  const int count = static_cast<int>(std::ceil((last - first) / lateral.Spacing)) + 2 * Margin;
+  lateral.FirstRay = first - (Margin - 1) * lateral.Spacing;
   lateral.Origins.resize(count);
   lateral.Slopes.resize(count);
   for (int a = 0; a < count; ++a)
@@ -185,16 +192,12 @@ void vtkMediumLightPyramid::SetCone(const glm::dvec3& direction, double cosine)
 
 //------------------------------------------------------------------------------
 // Whether a ray, or one within a few spacings of it, is inside the cone.
-bool vtkMediumLightPyramid::IsLit(double slopeU, double slopeV) const
+bool vtkMediumLightPyramid::IsLit(const glm::dvec3& step) const
 {
   if (this->ConeCosine < -1)
   {
     return true;
   }
-  glm::dvec3 step(0);
-  step[this->AxisW] = this->Sign;
-  step[this->U.Axis] = slopeU;
-  step[this->V.Axis] = slopeV;
   const glm::dmat3& axes = this->Grid.GetLatticeToLocalAxes();
   const glm::dvec3 local = axes * step;
   // Two lattice points beside a lit one are looked up with it, and rays around those.
@@ -212,156 +215,40 @@ bool vtkMediumLightPyramid::IsLit(double slopeU, double slopeV) const
 }
 
 //------------------------------------------------------------------------------
-void vtkMediumLightPyramid::FindOccupied()
+glm::dvec3 vtkMediumLightPyramid::StepOf(int a, int b) const
 {
-  const glm::ivec3 n = this->Grid.GetDimensions();
-  this->Bricks = (n + 7) >> BrickShift;
-  this->Occupied.assign(
-    static_cast<std::size_t>(this->Bricks.x) * this->Bricks.y * this->Bricks.z, 0);
-  const float* values = this->Grid.GetValues().data();
-  vtkSMPTools::For(0, this->Bricks.z, [&](vtkIdType begin, vtkIdType end) {
-    for (int bz = static_cast<int>(begin); bz < end; ++bz)
-    {
-      for (int z = 8 * bz; z <= std::min(8 * bz + 8, n.z - 1); ++z)
-      {
-        for (int y = 0; y < n.y; ++y)
-        {
-          const float* row = values + this->Grid.GetIndex(0, y, z);
-          for (int x = 0; x < n.x; ++x)
-          {
-            if (row[x] == 0)
-            {
-              continue;
-            }
-            for (int by = y % 8 == 0 && y > 0 ? y / 8 - 1 : y / 8; by <= y / 8; ++by)
-            {
-              for (int bx = x % 8 == 0 && x > 0 ? x / 8 - 1 : x / 8; bx <= x / 8; ++bx)
-              {
-                this->Occupied[bx + this->Bricks.x * (by + this->Bricks.y * std::size_t(bz))] = 1;
-              }
-            }
-          }
-        }
-      }
-    }
-  });
+  glm::dvec3 step;
+  step[this->U.Axis] = this->U.Slopes[a];
+  step[this->V.Axis] = this->V.Slopes[b];
+  step[this->AxisW] = this->Sign;
+  return step;
 }
 
 //------------------------------------------------------------------------------
-inline bool vtkMediumLightPyramid::IsOccupied(int u, int v, int w) const
+glm::dvec3 vtkMediumLightPyramid::RayAt(int a, int b, int plane) const
 {
-  int at[3];
-  at[this->U.Axis] = u >> BrickShift;
-  at[this->V.Axis] = v >> BrickShift;
-  at[this->AxisW] = w >> BrickShift;
-  return this->Occupied[at[0] +
-           this->Bricks.x * (at[1] + this->Bricks.y * static_cast<std::size_t>(at[2]))] != 0;
-}
-
-//------------------------------------------------------------------------------
-glm::dvec3 vtkMediumLightPyramid::RayAt(int a, int b, double depth) const
-{
+  const double depth = this->DepthOf(plane);
   glm::dvec3 at;
   at[this->U.Axis] = this->U.Origins[a] + this->U.Slopes[a] * depth;
   at[this->V.Axis] = this->V.Origins[b] + this->V.Slopes[b] * depth;
-  at[this->AxisW] = this->FirstIndex + this->Sign * (depth - this->FirstDepth);
+  at[this->AxisW] = this->IndexOf(plane);
   return at;
 }
 
 //------------------------------------------------------------------------------
-// The optical depth of a ray at the first plane where it is near the box.
+// The optical depth of a ray, over its length between planes, at the first plane near the box.
 double vtkMediumLightPyramid::EnterRay(int a, int b, int plane) const
 {
   double entry = std::max({ this->EntryW, this->U.Entries[a], this->V.Entries[b] });
   entry = this->Directional ? entry : std::max(entry, 0.0);
-  const double depth = this->DepthOf(plane);
   if (entry >= this->DepthOf(this->Planes - 1) + 1)
   {
     return 0; // nowhere near the box
   }
-  const double tau = vtkMediumExtendedOpticalDepth(
-    this->Grid, this->RayAt(a, b, entry), this->RayAt(a, b, depth));
-  return entry <= depth ? tau : -tau;
-}
-
-//------------------------------------------------------------------------------
-// The optical depth of a ray from the plane before to this one.
-float vtkMediumLightPyramid::CrossSlab(int a, int b, int plane) const
-{
-  const double depth = this->DepthOf(plane - 1);
-  const int w = this->IndexOf(plane - 1);
-  const float* values = this->Grid.GetValues().data() + w * this->StrideW;
-  const std::ptrdiff_t next = this->Sign * this->StrideW;
-  const double x = this->U.Origins[a] + this->U.Slopes[a] * depth, dx = this->U.Slopes[a];
-  const double y = this->V.Origins[b] + this->V.Slopes[b] * depth, dy = this->V.Slopes[b];
-  // Cells, or the regions where one value is nearest, which end halfway between lattice points.
-  const double shift = this->Grid.IsLinear() ? 0 : 0.5;
-  const double floorX = std::floor(x + shift), floorY = std::floor(y + shift);
-  int cellX = static_cast<int>(floorX), cellY = static_cast<int>(floorY);
-  const double never = 2;
-  double nextX = dx != 0 ? ((dx > 0 ? floorX + 1 : floorX) - shift - x) / dx : never;
-  double nextY = dy != 0 ? ((dy > 0 ? floorY + 1 : floorY) - shift - y) / dy : never;
-  double nextW = this->Grid.IsLinear() ? never : 0.5;
-  const int lastX = this->U.Points - 1, lastY = this->V.Points - 1;
-  const int lowW = std::min(w, w + this->Sign);
-  float sum = 0;
-  for (double t = 0; t < 1;)
-  {
-    const double end = std::min({ nextX, nextY, nextW, 1.0 });
-    const int x0 = std::min(std::max(cellX, 0), lastX);
-    const int y0 = std::min(std::max(cellY, 0), lastY);
-    if (end > t && this->IsOccupied(std::min(x0, std::max(lastX - 1, 0)),
-                     std::min(y0, std::max(lastY - 1, 0)), lowW))
-    {
-      const float half = static_cast<float>(0.5 * (end - t)), middle = static_cast<float>(t) + half;
-      if (!this->Grid.IsLinear())
-      {
-        const std::ptrdiff_t corner = x0 * this->U.Stride + y0 * this->V.Stride;
-        sum += 2 * half * values[corner + (middle < 0.5f ? 0 : next)];
-      }
-      else
-      {
-        const int x1 = std::min(std::max(cellX + 1, 0), lastX);
-        const int y1 = std::min(std::max(cellY + 1, 0), lastY);
-        const float* near00 = values + x0 * this->U.Stride;
-        const float* near10 = values + x1 * this->U.Stride;
-        const std::ptrdiff_t row0 = y0 * this->V.Stride, row1 = y1 * this->V.Stride;
-        const float a00 = near00[row0], a10 = near10[row0], a01 = near00[row1], a11 = near10[row1];
-        const float b00 = near00[row0 + next], b10 = near10[row0 + next];
-        const float b01 = near00[row1 + next], b11 = near10[row1 + next];
-        const float fx = static_cast<float>(x - cellX), fy = static_cast<float>(y - cellY);
-        const float sx = static_cast<float>(dx), sy = static_cast<float>(dy);
-        for (float node : { -0.57735027f, 0.57735027f })
-        {
-          const float s = middle + node * half, u = fx + s * sx, v = fy + s * sy;
-          const float c00 = a00 + s * (b00 - a00), c10 = a10 + s * (b10 - a10);
-          const float c01 = a01 + s * (b01 - a01), c11 = a11 + s * (b11 - a11);
-          const float c0 = c00 + u * (c10 - c00), c1 = c01 + u * (c11 - c01);
-          sum += half * (c0 + v * (c1 - c0));
-        }
-      }
-    }
-    t = std::max(t, end);
-    if (end >= 1)
-    {
-      break;
-    }
-    if (end == nextX)
-    {
-      cellX += dx > 0 ? 1 : -1;
-      nextX += 1 / std::abs(dx);
-    }
-    else if (end == nextY)
-    {
-      cellY += dy > 0 ? 1 : -1;
-      nextY += 1 / std::abs(dy);
-    }
-    else
-    {
-      nextW = never;
-    }
-  }
-  return sum;
+  // Backwards from the plane to the entry, or forwards to it where that is yet to come.
+  const glm::dvec3 at = this->RayAt(a, b, plane), step = this->StepOf(a, b);
+  const double way = this->DepthOf(plane) - entry;
+  return way >= 0 ? this->Sums.Integrate(at, -step, 0, way) : -this->Sums.Integrate(at, step, 0, -way);
 }
 
 //------------------------------------------------------------------------------
@@ -382,15 +269,39 @@ void vtkMediumLightPyramid::AdvanceRow(int b, int plane)
     {
       continue;
     }
-    if (plane == first)
+    const double sum = plane == first
+      ? this->EnterRay(a, b, plane)
+      : this->Sums.Integrate(this->RayAt(a, b, plane - 1), this->StepOf(a, b), 0, 1);
+    depths[a] = (plane == first ? 0 : depths[a]) + static_cast<float>(lengths[a] * sum);
+  }
+}
+
+//------------------------------------------------------------------------------
+// The optical depth of a lattice point along its own ray, where interpolation may be too far off.
+float vtkMediumLightPyramid::MarchPoint(const glm::ivec3& point) const
+{
+  this->Marches.fetch_add(1, std::memory_order_relaxed);
+  const glm::dvec3 at(point), lower = this->Grid.GetLower(), upper = this->Grid.GetUpper();
+  glm::dvec3 step;
+  step[this->AxisW] = -this->Sign;
+  for (const Lateral* lateral : { &this->U, &this->V })
+  {
+    const int axis = lateral->Axis;
+    step[axis] = this->Directional
+      ? -lateral->Drift
+      : (lateral->Apex - at[axis]) / std::abs(at[this->AxisW] - this->ApexW);
+  }
+  double last = this->Directional ? 1e300 : std::abs(at[this->AxisW] - this->ApexW);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (step[axis] != 0)
     {
-      depths[a] = static_cast<float>(this->EnterRay(a, b, plane));
-    }
-    else
-    {
-      depths[a] += lengths[a] * this->CrossSlab(a, b, plane);
+      const double face = step[axis] > 0 ? upper[axis] : lower[axis];
+      last = std::min(last, (face - at[axis]) / step[axis]);
     }
   }
+  const double length = glm::length(this->Grid.GetLatticeToLocalAxes() * step);
+  return static_cast<float>(length * this->Sums.Integrate(at, step, 0, last));
 }
 
 //------------------------------------------------------------------------------
@@ -439,18 +350,22 @@ void vtkMediumLightPyramid::InterpolateRow(
   const int count = static_cast<int>(this->U.Origins.size());
   const double row = this->RayIndex(this->V, v, depth);
   const int row0 = static_cast<int>(std::floor(row));
+  const float fractionV = static_cast<float>(row - row0);
   float weights[4];
-  LagrangeWeights(static_cast<float>(row - row0), weights);
-  const int begin = static_cast<int>(std::floor(this->RayIndex(this->U, first, depth))) - 1;
-  const int end = static_cast<int>(std::floor(this->RayIndex(this->U, last, depth))) + 3;
-  std::vector<float> line(end - begin, 0.0f);
-  for (int r = 0; r < 4; ++r)
+  LagrangeWeights(fractionV, weights);
+  const int begin = static_cast<int>(std::floor(this->RayIndex(this->U, first, depth))) - 2;
+  const int end = static_cast<int>(std::floor(this->RayIndex(this->U, last, depth))) + 4;
+  std::vector<float> line(end - begin, 0.0f), roughness(end - begin, 0.0f);
+  for (int r = 0; r < 6; ++r)
   {
     const float* depths =
-      this->Depths.data() + static_cast<std::size_t>(row0 - 1 + r) * count + begin;
+      this->Depths.data() + static_cast<std::size_t>(row0 - 2 + r) * count + begin;
+    const float weight = r > 0 && r < 5 ? weights[r - 1] : 0;
+    const float difference = KinkDifference[r] * EstimateWeight(fractionV);
     for (int a = 0; a < end - begin; ++a)
     {
-      line[a] += weights[r] * depths[a];
+      line[a] += weight * depths[a];
+      roughness[a] += difference * depths[a];
     }
   }
   float* target = tau.data() + w * this->StrideW + v * this->V.Stride;
@@ -466,10 +381,25 @@ void vtkMediumLightPyramid::InterpolateRow(
     }
     const double place = this->RayIndex(this->U, u, depth);
     const int at = static_cast<int>(std::floor(place));
-    LagrangeWeights(static_cast<float>(place - at), weights);
-    const float* node = line.data() + at - 1 - begin;
-    const float value = weights[0] * node[0] + weights[1] * node[1] + weights[2] * node[2] +
-      weights[3] * node[3];
+    const float fraction = static_cast<float>(place - at);
+    LagrangeWeights(fraction, weights);
+    const float* node = line.data() + at - 2 - begin;
+    float value = 0, difference = 0;
+    for (int a = 0; a < 6; ++a)
+    {
+      value += a > 0 && a < 5 ? weights[a - 1] * node[a] : 0;
+      difference += KinkDifference[a] * node[a];
+    }
+    const float error = EstimateWeight(fraction) * std::abs(difference) +
+      std::max(std::abs(roughness[at - begin]), std::abs(roughness[at + 1 - begin]));
+    if (error * std::exp(-std::max(value - error, 0.0f)) > this->Tolerance)
+    {
+      glm::ivec3 point;
+      point[this->U.Axis] = u;
+      point[this->V.Axis] = v;
+      point[this->AxisW] = w;
+      value = this->MarchPoint(point);
+    }
     target[u * this->U.Stride] = std::max(value, 0.0f);
   }
 }
@@ -479,7 +409,6 @@ void vtkMediumLightPyramid::March(const vtkMediumOccupiedRows& rows, std::vector
 {
   const int countU = static_cast<int>(this->U.Origins.size());
   const int countV = static_cast<int>(this->V.Origins.size());
-  this->FindOccupied();
   this->Depths.assign(static_cast<std::size_t>(countU) * countV, 0.0f);
   this->Lengths.resize(this->Depths.size());
   vtkSMPTools::For(0, countV, [&](vtkIdType begin, vtkIdType end) {
@@ -487,14 +416,10 @@ void vtkMediumLightPyramid::March(const vtkMediumOccupiedRows& rows, std::vector
     {
       for (int a = 0; a < countU; ++a)
       {
-        const double slopeU = this->U.Slopes[a], slopeV = this->V.Slopes[b];
-        glm::dvec3 step(0);
-        step[this->AxisW] = this->Sign;
-        step[this->U.Axis] = slopeU;
-        step[this->V.Axis] = slopeV;
+        const glm::dvec3 step = this->StepOf(a, b);
         const double length = glm::length(this->Grid.GetLatticeToLocalAxes() * step);
         this->Lengths[b * static_cast<std::size_t>(countU) + a] =
-          this->IsLit(slopeU, slopeV) ? static_cast<float>(length) : -1.0f;
+          this->IsLit(step) ? static_cast<float>(length) : -1.0f;
       }
     }
   });

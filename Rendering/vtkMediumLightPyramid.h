@@ -11,15 +11,25 @@
 #ifndef vtkMediumLightPyramid_h
 #define vtkMediumLightPyramid_h
 
+#include "vtkMediumCellSums.h"
 #include "vtkMediumExtinctionGrid.h"
 #include "vtkMediumOccupiedRows.h"
 
+#include <atomic>
+#include <cstddef>
 #include <vector>
 
 class vtkMediumLightPyramid
 {
 public:
-  vtkMediumLightPyramid(const vtkMediumExtinctionGrid& grid, int axis, int sign);
+  /// The rays along one axis, towards larger (sign 1) or smaller (-1) lattice coordinates. Grid and
+  /// sums must outlive the pyramid.
+  vtkMediumLightPyramid(
+    const vtkMediumExtinctionGrid& grid, const vtkMediumCellSums& sums, int axis, int sign);
+
+  /// The largest error of exp(-tau) that interpolation may have by its own estimate; points beyond it
+  /// get a ray of their own.
+  void SetTolerance(double tolerance) { this->Tolerance = static_cast<float>(tolerance); }
 
   /// For a point light at a lattice coordinate. False if no lattice point is in this pyramid.
   bool SetApex(const glm::dvec3& apex, double density);
@@ -32,6 +42,9 @@ public:
 
   /// Carries the rays through the box and writes the optical depths of this pyramid's points.
   void March(const vtkMediumOccupiedRows& rows, std::vector<float>& tau);
+
+  /// Lattice points that got a ray of their own.
+  long long GetMarches() const { return this->Marches; }
 
 private:
   /// One lateral axis.
@@ -54,19 +67,20 @@ private:
   int IndexOf(int plane) const { return this->FirstIndex + this->Sign * plane; }
   void PlaceRays(Lateral& lateral, double first, double last);
   void FindLives(Lateral& lateral) const;
-  void FindOccupied();
-  bool IsOccupied(int u, int v, int w) const;
-  bool IsLit(double slopeU, double slopeV) const;
-  glm::dvec3 RayAt(int a, int b, double depth) const;
+  bool IsLit(const glm::dvec3& step) const;
+  glm::dvec3 StepOf(int a, int b) const;
+  glm::dvec3 RayAt(int a, int b, int plane) const;
   double EnterRay(int a, int b, int plane) const;
-  float CrossSlab(int a, int b, int plane) const;
+  float MarchPoint(const glm::ivec3& point) const;
   void AdvanceRow(int b, int plane);
   void InterpolateRow(
     int v, int plane, const vtkMediumOccupiedRows& rows, std::vector<float>& tau) const;
   double RayIndex(const Lateral& lateral, int point, double depth) const;
 
   const vtkMediumExtinctionGrid& Grid;
+  const vtkMediumCellSums& Sums;
   int AxisW, Sign;
+  float Tolerance = 0;
   bool Directional = false;
   Lateral U, V;
   std::ptrdiff_t StrideW = 1;
@@ -78,10 +92,9 @@ private:
   double FirstDepth = 0; ///< of the first plane
   glm::dvec3 ConeDirection{ 0 };
   double ConeCosine = -2; ///< below -1: no cone
+  mutable std::atomic<long long> Marches{ 0 };
   std::vector<float> Depths; ///< optical depth of each ray at the current plane
   std::vector<float> Lengths; ///< local length of each ray between two planes
-  std::vector<unsigned char> Occupied; ///< by 8^3 bricks of cells, in grid order
-  glm::ivec3 Bricks{ 0 };
 };
 
 #endif

@@ -9,8 +9,9 @@
  * crossed by a regular grid of rays in slope space. Each ray carries its optical depth from lattice
  * plane to lattice plane, exactly for trilinear values (two-point Gauss-Legendre sums between all
  * crossings), so that lateral interpolation within a plane, by four-point Lagrange polynomials, is
- * the only error and does not add up along the ray. A directional light has one pyramid, its rays
- * parallel.
+ * the only error and does not add up along the ray. Third differences of the optical depths tell
+ * where that error may matter: behind edges that the light grazes, and in faces that it grazes. A
+ * directional light has one pyramid, its rays parallel.
  *
  * Interpolation at the border of the box needs rays that pass outside of it. They carry the optical
  * depth of the values on the faces extended outwards, counted from where the ray enters through the
@@ -31,8 +32,10 @@ public:
   /// Writes the optical depths from `light` at the lattice points of `grid`. `density` is the number
   /// of rays a lattice step along each lateral axis, where the pyramid is widest. `reach` is as in
   /// vtkMediumLightStencil::Apply; points that a spot light does not reach are not promised either.
-  static void Build(const vtkMediumExtinctionGrid& grid, const vtkMediumScene::Light& light,
-    double density, int reach, std::vector<float>& tau);
+  /// Where the estimated error of exp(-tau) exceeds `tolerance`, the point gets a ray of its own,
+  /// O(N) each; 0 does so everywhere. Returns the number of these.
+  static long long Build(const vtkMediumExtinctionGrid& grid, const vtkMediumScene::Light& light,
+    double density, double tolerance, int reach, std::vector<float>& tau);
 };
 
 #endif

@@ -16,6 +16,8 @@
 
 namespace
 {
+using Mapper = vtkSingleScatteringVolumeMapper;
+
 //------------------------------------------------------------------------------
 bool InUnitInterval(double value) // half open; false for NaN
 {
@@ -54,7 +56,7 @@ glm::dvec4 DensestSample(const vtkMediumFunction& function, double threshold)
 vtkMediumPlan::vtkMediumPlan(
   const vtkMediumScene& scene, const Settings& settings, const Capabilities& device)
 {
-  const bool paper = settings.Integrator == vtkSingleScatteringVolumeMapper::Paper;
+  const bool paper = settings.Integrator == Mapper::Paper;
   this->Fields = paper ? std::vector<vtkMediumField>{ scene.Scalars } : scene.Content.Fields;
   this->Validate(settings, device);
   if (!this->Refusal.empty())
@@ -63,12 +65,13 @@ vtkMediumPlan::vtkMediumPlan(
   }
   this->ChooseSteps(scene, settings);
   this->Jitter = settings.Jitter;
-  // A distance goes through the whole volume, however thick it is.
-  this->TransmittanceThreshold = settings.Output == vtkSingleScatteringVolumeMapper::Radiance
-    ? settings.TransmittanceThreshold
-    : 0;
-  this->Lit = settings.Output == vtkSingleScatteringVolumeMapper::Radiance &&
-    !scene.Lights.empty() && !scene.Content.Scattering.IsZero();
+  this->DepthTransmittance = settings.DepthTransmittance;
+  const bool gathers = settings.Output == Mapper::Radiance ||
+    settings.Output == Mapper::SampleCount ||
+    (settings.Output == Mapper::Depth && settings.DepthDefinition == Mapper::MeanScatteringDepth);
+  // Distances and optical depths go through the whole volume, however thick it is.
+  this->TransmittanceThreshold = gathers ? settings.TransmittanceThreshold : 0;
+  this->Lit = gathers && !scene.Lights.empty() && !scene.Content.Scattering.IsZero();
   if (paper)
   {
     this->PlanPaper(scene, settings);
@@ -105,6 +108,11 @@ void vtkMediumPlan::Validate(
   {
     this->Refusal = Unfit("The transmittance threshold", settings.TransmittanceThreshold,
       "set a fraction in [0, 1), 0 to never stop early (SetTransmittanceThreshold).");
+  }
+  else if (!(settings.DepthTransmittance > 0 && settings.DepthTransmittance < 1))
+  {
+    this->Refusal = Unfit("The depth transmittance", settings.DepthTransmittance,
+      "set a fraction in (0, 1) (SetDepthTransmittance).");
   }
   for (const vtkMediumField& field : this->Fields)
   {
@@ -152,7 +160,13 @@ void vtkMediumPlan::PlanPaper(const vtkMediumScene& scene, const Settings& setti
     this->Refusal = text.str();
     return;
   }
-  if (settings.Output == vtkSingleScatteringVolumeMapper::Radiance && scene.Lights.empty())
+  if (settings.Output > Mapper::Distance)
+  {
+    this->Refusal = "The Paper integrator has no such output (" + std::to_string(settings.Output) +
+      "); choose Radiance, FirstHit or Distance, or the FixedStep integrator.";
+    return;
+  }
+  if (settings.Output == Mapper::Radiance && scene.Lights.empty())
   {
     this->Refusal = "No light is on, but the Paper integrator shows nothing but scattered light; add "
                     "a vtkLight with an intensity > 0 to the renderer, or show distances "
@@ -201,7 +215,7 @@ void vtkMediumPlan::PlanPaper(const vtkMediumScene& scene, const Settings& setti
 void vtkMediumPlan::SplitIntoPasses(
   const vtkMediumScene& scene, const Settings& settings, const Capabilities& device)
 {
-  const bool paper = settings.Integrator == vtkSingleScatteringVolumeMapper::Paper;
+  const bool paper = settings.Integrator == Mapper::Paper;
   // The longest ray is the volume's diagonal, one local unit. The paper's march starts anew at each
   // surface, which at worst doubles its steps. Binary searches are written out and loop nowhere.
   const int eyeSteps = static_cast<int>(std::ceil((paper ? 2 : 1) / this->EyeStep)) + 2;
@@ -227,9 +241,39 @@ void vtkMediumPlan::SplitIntoPasses(
 }
 
 //------------------------------------------------------------------------------
+std::string vtkMediumPlan::OutputDefines(const Settings& settings) const
+{
+  const bool depth = settings.Output == Mapper::Depth;
+  const bool firstHit = settings.Output == Mapper::FirstHit ||
+    (depth && settings.DepthDefinition == Mapper::FirstHitDepth);
+  std::string text = std::string("#define FIRST_HIT_ONLY ") + (firstHit ? "true\n" : "false\n");
+  if (settings.CountTaps || settings.Output == Mapper::SampleCount)
+  {
+    text += "#define COUNT_TAPS\n";
+  }
+  if (settings.Output == Mapper::Transmittance)
+  {
+    text += "#define OUTPUT_TRANSMITTANCE\n";
+  }
+  if (settings.Output == Mapper::OpticalDepth)
+  {
+    text += "#define OUTPUT_OPTICAL_DEPTH\n";
+  }
+  if (depth && settings.DepthDefinition == Mapper::MeanScatteringDepth)
+  {
+    text += "#define OUTPUT_MEAN_DEPTH\n";
+  }
+  if (depth && settings.DepthDefinition == Mapper::TransmittanceDepth)
+  {
+    text += "#define OUTPUT_TRANSMITTANCE_DEPTH\n";
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
 void vtkMediumPlan::ChooseProgram(const vtkMediumScene& scene, const Settings& settings)
 {
-  const bool paper = settings.Integrator == vtkSingleScatteringVolumeMapper::Paper;
+  const bool paper = settings.Integrator == Mapper::Paper;
   std::ostringstream defines;
   if (this->Lit)
   {
@@ -244,12 +288,7 @@ void vtkMediumPlan::ChooseProgram(const vtkMediumScene& scene, const Settings& s
     defines << "#define BINARY_SEARCH_ITERATIONS " << settings.BinarySearchIterations << "\n";
     defines << (settings.AssumeConvex ? "#define ASSUME_CONVEX\n" : "");
   }
-  if (settings.CountTaps)
-  {
-    defines << "#define COUNT_TAPS\n";
-  }
-  const bool firstHit = settings.Output == vtkSingleScatteringVolumeMapper::FirstHit;
-  defines << "#define FIRST_HIT_ONLY " << (firstHit ? "true" : "false") << "\n";
+  defines << this->OutputDefines(settings);
   defines << "#define LIGHT_TAPS " << LightTapsPerIteration << "\n";
   defines << vtkMediumStructure::FieldDefines(this->Fields);
   if (!paper)
@@ -263,7 +302,7 @@ void vtkMediumPlan::ChooseProgram(const vtkMediumScene& scene, const Settings& s
   this->ShaderFiles = { "Phase", "RayBox", "Segment", "Transmittance", "Frame", "EyeRay", "Fields" };
   if (this->Lit)
   {
-    this->ShaderFiles.insert(this->ShaderFiles.end(), { "Light", "Lights" });
+    this->ShaderFiles.insert(this->ShaderFiles.end(), { "PhaseLobes", "Light", "Lights" });
   }
   if (paper)
   {

@@ -32,6 +32,8 @@ public:
     double PaperThreshold = 0.5;
     bool AssumeConvex = false;
     bool CountTaps = false;
+    int DepthDefinition = 0;
+    double DepthTransmittance = 0.5;
   };
 
   /// What the device can do.
@@ -71,6 +73,7 @@ public:
   double EyeStep = 0;        ///< local units
   double LightStep = 0;      ///< local units
   double TransmittanceThreshold = 0;
+  double DepthTransmittance = 0;
   double Jitter = 0; ///< Paper: fraction of a step
   double PaperThreshold = 0; ///< Paper: in the units of the texture, 0…1 over the field's range
   Homogeneous Filled;        ///< Paper
@@ -88,6 +91,7 @@ private:
   void Validate(const Settings&, const Capabilities&);
   void ChooseSteps(const vtkMediumScene&, const Settings&);
   void PlanPaper(const vtkMediumScene&, const Settings&);
+  std::string OutputDefines(const Settings&) const;
   void SplitIntoPasses(const vtkMediumScene&, const Settings&, const Capabilities&);
   void ChooseProgram(const vtkMediumScene&, const Settings&);
 };

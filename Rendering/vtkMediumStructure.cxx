@@ -96,16 +96,46 @@ std::string vtkMediumStructure::LightDefines(const std::vector<vtkMediumScene::L
 //------------------------------------------------------------------------------
 std::string vtkMediumStructure::PhaseDefines(const vtkMediumScene::Medium& content, bool schlick)
 {
-  const bool isotropic = content.Anisotropy.IsZero() &&
-    (schlick || content.Phase == vtkMediumScene::HenyeyGreenstein ||
-      content.Phase == vtkMediumScene::Schlick);
-  if (isotropic || content.Phase == vtkMediumScene::Isotropic)
+  vtkMediumScene::Phases phase = content.Phase;
+  if (schlick && phase != vtkMediumScene::SchlickK)
   {
-    return "#define PHASE(cosTheta, g) phaseIsotropic()\n";
+    phase = vtkMediumScene::Schlick;
   }
-  if (schlick || content.Phase == vtkMediumScene::Schlick)
+  const bool oneLobe = phase == vtkMediumScene::Schlick || phase == vtkMediumScene::SchlickK ||
+    phase == vtkMediumScene::HenyeyGreenstein;
+  if (oneLobe && content.Anisotropy.IsZero())
   {
-    return "#define PHASE(cosTheta, g) phaseSchlick(cosTheta, phaseSchlickFromG(g))\n";
+    phase = vtkMediumScene::Isotropic;
   }
-  return "#define PHASE(cosTheta, g) phaseHenyeyGreenstein(cosTheta, g)\n";
+  const char* call = "phaseIsotropic()";
+  switch (phase)
+  {
+    case vtkMediumScene::Isotropic:
+      break;
+    case vtkMediumScene::Schlick:
+      call = "phaseSchlick(cosTheta, phaseSchlickFromG(g))";
+      break;
+    case vtkMediumScene::SchlickK:
+      call = "phaseSchlick(cosTheta, g)";
+      break;
+    case vtkMediumScene::HenyeyGreenstein:
+      call = "phaseHenyeyGreenstein(cosTheta, g)";
+      break;
+    case vtkMediumScene::DoubleHenyeyGreenstein:
+      call = "phaseDoubleHenyeyGreenstein(cosTheta, g, phaseLobes.x, phaseLobes.y)";
+      break;
+    case vtkMediumScene::Rayleigh:
+      call = "phaseRayleigh(cosTheta)";
+      break;
+    case vtkMediumScene::Draine:
+      call = "phaseDraine(cosTheta, g, phaseLobes.z)";
+      break;
+    case vtkMediumScene::Droplets:
+      call = "phaseDroplets(cosTheta, g, phaseLobes.z, phaseLobes.x, phaseLobes.y)";
+      break;
+    case vtkMediumScene::Tabulated:
+      call = "phaseTabulated(cosTheta)";
+      break;
+  }
+  return std::string("#define PHASE(cosTheta, g) ") + call + "\n";
 }

@@ -58,6 +58,7 @@ std::string vtkMediumTextures::Update(
   }
   this->UpdateFunctions(scene.Content.Functions);
   this->UpdateLights(scene.Lights);
+  this->UpdatePhase(scene.Content.PhaseTable);
   this->UpdateJitter();
   return {};
 }
@@ -157,6 +158,18 @@ void vtkMediumTextures::UpdateLights(const std::vector<vtkMediumScene::Light>& l
 }
 
 //------------------------------------------------------------------------------
+void vtkMediumTextures::UpdatePhase(const std::vector<double>& table)
+{
+  const std::vector<float> texels(table.begin(), table.end());
+  if (texels.empty() || (this->PhaseTable->GetHandle() && texels == this->PhaseTexels))
+  {
+    return;
+  }
+  this->UploadTable(this->PhaseTable, static_cast<int>(texels.size()), 1, 1, texels, true);
+  this->PhaseTexels = texels;
+}
+
+//------------------------------------------------------------------------------
 void vtkMediumTextures::UpdateJitter()
 {
   if (this->JitterTable->GetHandle())
@@ -210,6 +223,7 @@ void vtkMediumTextures::Activate(vtkShaderProgram* program, const vtkMediumPlan&
   }
   activate(this->FunctionTable, "functions");
   activate(this->LightTable, "lights");
+  activate(this->PhaseTable, "phaseTable");
   activate(this->JitterTable, "jitterTable");
 }
 
@@ -233,13 +247,15 @@ void vtkMediumTextures::ReleaseGraphicsResources(vtkWindow* window)
   this->Fields.clear();
   this->FunctionTable->ReleaseGraphicsResources(window);
   this->LightTable->ReleaseGraphicsResources(window);
+  this->PhaseTable->ReleaseGraphicsResources(window);
   this->JitterTable->ReleaseGraphicsResources(window);
 }
 
 //------------------------------------------------------------------------------
 vtkTypeInt64 vtkMediumTextures::GetBytes() const
 {
-  vtkTypeInt64 floats = JitterSize * JitterSize + this->LightTexels.size();
+  vtkTypeInt64 floats = JitterSize * JitterSize + this->LightTexels.size() +
+    this->PhaseTexels.size();
   for (const auto& field : this->Fields)
   {
     const glm::ivec3& size = field->Dimensions;

@@ -58,6 +58,7 @@ private:
   bool UpdateField(FieldTexture& texture, const vtkMediumField& field);
   void UpdateFunctions(const std::vector<vtkMediumFunction>& functions);
   void UpdateLights(const std::vector<vtkMediumScene::Light>& lights);
+  void UpdatePhase(const std::vector<double>& table);
   void UpdateJitter();
   /// A texture of RGBA32F or R32F texels.
   void UploadTable(vtkTextureObject* texture, int width, int height, int components,
@@ -66,8 +67,10 @@ private:
   std::vector<std::unique_ptr<FieldTexture>> Fields;
   std::vector<vtkMediumFunction> Functions; ///< as uploaded
   std::vector<float> LightTexels;           ///< as uploaded
+  std::vector<float> PhaseTexels;           ///< as uploaded
   vtkNew<vtkTextureObject> FunctionTable;
   vtkNew<vtkTextureObject> LightTable;
+  vtkNew<vtkTextureObject> PhaseTable;
   vtkNew<vtkTextureObject> JitterTable;
   std::vector<vtkTextureObject*> Active;
   vtkOpenGLRenderWindow* Window = nullptr;

@@ -256,6 +256,8 @@ vtkMediumPlan::Settings vtkSingleScatteringVolumeMapper::Internals::FindSettings
   settings.PaperThreshold = mapper->PaperThreshold;
   settings.AssumeConvex = mapper->AssumeConvex;
   settings.CountTaps = mapper->Statistics->CountTaps;
+  settings.DepthDefinition = mapper->DepthDefinition;
+  settings.DepthTransmittance = mapper->DepthTransmittance;
   return settings;
 }
 
@@ -297,7 +299,7 @@ std::string vtkSingleScatteringVolumeMapper::Internals::DrawFrame(
   mapper->Statistics->CompileMilliseconds = this->Programs.GetCompileMilliseconds();
   if (!mapper->RenderToImage)
   {
-    if (!this->Frame.Show(this->Programs, vtkMediumImages::FindGrey(this->Scene, mapper->Output)))
+    if (!this->Frame.Show(this->Programs, vtkMediumImages::FindShown(this->Scene, mapper->Output)))
     {
       return broken;
     }
@@ -318,22 +320,15 @@ std::string vtkSingleScatteringVolumeMapper::Internals::DrawFrame(
 void vtkSingleScatteringVolumeMapper::GetColorImage(vtkImageData* image)
 {
   Internals& own = *this->Resources;
-  const bool radiance = own.FrameOutput == Radiance;
-  const std::vector<float> pixels =
-    radiance ? own.Frame.DownloadRadiance() : own.Frame.DownloadHits();
-  if (pixels.empty())
+  const std::vector<float> radiance = own.Frame.DownloadRadiance();
+  if (radiance.empty())
   {
     vtkErrorMacro(<< "There is no image yet; render a frame first.");
     return;
   }
-  if (radiance)
-  {
-    vtkMediumImages::Copy(pixels, 4, own.Frame.GetViewport().Size, image);
-    return;
-  }
-  const std::vector<float> distances =
-    vtkMediumImages::Distances(pixels, own.Scene, own.FrameOutput == FirstHit);
-  vtkMediumImages::Copy(distances, 4, own.Frame.GetViewport().Size, image);
+  const std::vector<float> pixels =
+    vtkMediumImages::Values(radiance, own.Frame.DownloadHits(), own.Scene, own.FrameOutput);
+  vtkMediumImages::Copy(pixels, 4, own.Frame.GetViewport().Size, image);
 }
 
 //------------------------------------------------------------------------------
@@ -415,6 +410,8 @@ void vtkSingleScatteringVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PaperThreshold: " << this->PaperThreshold << "\n";
   os << indent << "AssumeConvex: " << (this->AssumeConvex ? "On" : "Off") << "\n";
   os << indent << "Output: " << this->Output << "\n";
+  os << indent << "DepthDefinition: " << this->DepthDefinition << "\n";
+  os << indent << "DepthTransmittance: " << this->DepthTransmittance << "\n";
   os << indent << "RenderToImage: " << (this->RenderToImage ? "On" : "Off") << "\n";
   os << indent << "Statistics:\n";
   this->Statistics->PrintSelf(os, indent.GetNextIndent());

@@ -76,6 +76,18 @@ public:
     Radiance, ///< radiance, premultiplied; alpha is 1 - mean transmittance
     FirstHit, ///< distance along the eye ray to the first point of the medium, world units
     Distance, ///< distance from the first to the last point of the medium, world units
+    Transmittance, ///< transmittance along the eye ray, R, G and B
+    OpticalDepth,  ///< optical depth along the eye ray, R, G and B
+    Depth,         ///< distance along the eye ray, world units, as DepthDefinition has it
+    SampleCount,   ///< look-ups in the medium's textures, on the eye ray and its light rays
+  };
+
+  /// What "depth" means where a medium has no surface.
+  enum DepthDefinitions
+  {
+    FirstHitDepth,       ///< where the extinction is first above zero
+    MeanScatteringDepth, ///< the mean of where the light that reaches the eye was scattered or emitted
+    TransmittanceDepth,  ///< where the transmittance falls to DepthTransmittance
   };
 
   /// Phase functions that need no medium to be set.
@@ -164,14 +176,37 @@ public:
   ///@}
 
   ///@{
-  /// What the image holds. Default: Radiance. On screen, distances are shown as grey: FirstHit as 1
-  /// at the nearest corner of the volume down to 0 at the farthest, Distance as a fraction of the
-  /// volume's diagonal; as float images (GetColorImage) they are in world units.
-  vtkSetClampMacro(Output, int, Radiance, Distance);
+  /// What the image holds. Default: Radiance. On screen, distances are shown as grey: FirstHit and
+  /// Depth as 1 at the nearest corner of the volume down to 0 at the farthest, Distance as a fraction
+  /// of the volume's diagonal, OpticalDepth as 1 - transmittance, SampleCount as a fraction of 1000;
+  /// as float images (GetColorImage) they are in their own units.
+  /// The Paper integrator knows Radiance, FirstHit and Distance; any other: an error at the next
+  /// Render.
+  vtkSetClampMacro(Output, int, Radiance, SampleCount);
   vtkGetMacro(Output, int);
   void SetOutputToRadiance() { this->SetOutput(Radiance); }
   void SetOutputToFirstHit() { this->SetOutput(FirstHit); }
   void SetOutputToDistance() { this->SetOutput(Distance); }
+  void SetOutputToTransmittance() { this->SetOutput(Transmittance); }
+  void SetOutputToOpticalDepth() { this->SetOutput(OpticalDepth); }
+  void SetOutputToDepth() { this->SetOutput(Depth); }
+  void SetOutputToSampleCount() { this->SetOutput(SampleCount); }
+  ///@}
+
+  ///@{
+  /// What the Depth output means. Default: FirstHitDepth.
+  vtkSetClampMacro(DepthDefinition, int, FirstHitDepth, TransmittanceDepth);
+  vtkGetMacro(DepthDefinition, int);
+  void SetDepthDefinitionToFirstHit() { this->SetDepthDefinition(FirstHitDepth); }
+  void SetDepthDefinitionToMeanScattering() { this->SetDepthDefinition(MeanScatteringDepth); }
+  void SetDepthDefinitionToTransmittance() { this->SetDepthDefinition(TransmittanceDepth); }
+  ///@}
+
+  ///@{
+  /// TransmittanceDepth: the mean transmittance that marks the depth, in (0, 1); a ray that keeps more
+  /// than that has no depth. Otherwise an error at the next Render. Default: 0.5.
+  vtkSetMacro(DepthTransmittance, double);
+  vtkGetMacro(DepthTransmittance, double);
   ///@}
 
   ///@{
@@ -183,8 +218,9 @@ public:
   ///@}
 
   /// The last frame as float RGBA, linear and premultiplied, of the viewport's size, first row at the
-  /// bottom. Radiance: R, G, B, alpha. FirstHit and Distance: world units in R, G and B, with alpha 1
-  /// where the ray met the medium and all 0 where it did not. An error if no frame has been rendered.
+  /// bottom. Radiance: R, G, B, alpha. Other outputs: their value in R, G and B, with alpha 1 where the
+  /// ray has one and all 0 where it has none; Transmittance and OpticalDepth have one on every ray, 1
+  /// and 0 where it misses the volume. An error if no frame has been rendered.
   void GetColorImage(vtkImageData* image);
 
   /// The window depth (0 near plane, 1 far plane) of the first point of the medium on each eye ray, 1
@@ -220,6 +256,8 @@ private:
   double PaperThreshold = 0.5;
   bool AssumeConvex = false;
   int Output = Radiance;
+  int DepthDefinition = FirstHitDepth;
+  double DepthTransmittance = 0.5;
   bool RenderToImage = false;
 
   vtkSmartPointer<vtkMediumStatistics> Statistics;

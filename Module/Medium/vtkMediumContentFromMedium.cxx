@@ -10,7 +10,6 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -304,14 +303,17 @@ std::string Lowering::Lower(Coefficient& result, const Law& law, const Source& s
   const auto& scale = source.HasArray || isFunction ? source.Scale : source.Value;
   result = Coefficient();
   result.Scale = glm::dvec3(scale[0], scale[1], scale[2]);
-  if (!source.HasArray && !isFunction)
-  {
-    return CheckRange(law, "", *std::min_element(scale.begin(), scale.end()),
-      *std::max_element(scale.begin(), scale.end()));
-  }
   for (double one : scale)
   {
-    if (!(one >= 0) || !std::isfinite(one))
+    if (!source.HasArray && !isFunction)
+    {
+      const std::string problem = CheckRange(law, "", one, one);
+      if (!problem.empty())
+      {
+        return problem;
+      }
+    }
+    else if (!(one >= 0) || !std::isfinite(one))
     {
       std::ostringstream problem;
       problem << "The medium's " << law.Name << "Scale is (" << scale[0] << ", " << scale[1] << ", "
@@ -320,7 +322,8 @@ std::string Lowering::Lower(Coefficient& result, const Law& law, const Source& s
     }
   }
   return isFunction ? this->LowerFunction(result, law, source)
-                    : this->LowerField(result, law, source);
+    : source.HasArray ? this->LowerField(result, law, source)
+                      : std::string();
 }
 
 //------------------------------------------------------------------------------

@@ -18,8 +18,8 @@
  * - an array of the image, times XScale: SetXArrayName. The name is looked up in the point data, then
  *   in the cell data; the empty name "" is the scalars that the mapper has chosen; NULL (None in
  *   Python, the default) goes back to the constant;
- * - a transfer function of one component of that array, times XScale: SetXFunction (grey) or
- *   SetXColorFunction (RGB), besides SetXArrayName. Setting one of the two clears the other.
+ * - a transfer function of one component of that array, or of the scalars where none is named, times
+ *   XScale: SetXFunction (grey) or SetXColorFunction (RGB). Setting one of the two clears the other.
  *
  * @par Components
  * An array has 1 to 4 components. With XComponent at -1 (the default) they mean what they mean to a
@@ -100,7 +100,6 @@ public:
   /// In ExtinctionAndAlbedo. Default: 1, constant; scale 1.
   void SetExtinction(double grey) { this->SetExtinction(grey, grey, grey); }
   void SetExtinction(double r, double g, double b);
-  void SetExtinction(const double rgb[3]) { this->SetExtinction(rgb[0], rgb[1], rgb[2]); }
   double* GetExtinction() VTK_SIZEHINT(3);
   void SetExtinctionArrayName(const char* name);
   const char* GetExtinctionArrayName();
@@ -120,7 +119,6 @@ public:
   /// Default: 1, constant; scale 1.
   void SetAlbedo(double grey) { this->SetAlbedo(grey, grey, grey); }
   void SetAlbedo(double r, double g, double b);
-  void SetAlbedo(const double rgb[3]) { this->SetAlbedo(rgb[0], rgb[1], rgb[2]); }
   double* GetAlbedo() VTK_SIZEHINT(3);
   void SetAlbedoArrayName(const char* name);
   const char* GetAlbedoArrayName();
@@ -140,7 +138,6 @@ public:
   /// AbsorptionAndScattering. Default: 0, constant; scale 1.
   void SetAbsorption(double grey) { this->SetAbsorption(grey, grey, grey); }
   void SetAbsorption(double r, double g, double b);
-  void SetAbsorption(const double rgb[3]) { this->SetAbsorption(rgb[0], rgb[1], rgb[2]); }
   double* GetAbsorption() VTK_SIZEHINT(3);
   void SetAbsorptionArrayName(const char* name);
   const char* GetAbsorptionArrayName();
@@ -160,7 +157,6 @@ public:
   /// Default: 1, constant; scale 1.
   void SetScattering(double grey) { this->SetScattering(grey, grey, grey); }
   void SetScattering(double r, double g, double b);
-  void SetScattering(const double rgb[3]) { this->SetScattering(rgb[0], rgb[1], rgb[2]); }
   double* GetScattering() VTK_SIZEHINT(3);
   void SetScatteringArrayName(const char* name);
   const char* GetScatteringArrayName();
@@ -180,7 +176,6 @@ public:
   /// Default: 0, constant; scale 1.
   void SetEmission(double grey) { this->SetEmission(grey, grey, grey); }
   void SetEmission(double r, double g, double b);
-  void SetEmission(const double rgb[3]) { this->SetEmission(rgb[0], rgb[1], rgb[2]); }
   double* GetEmission() VTK_SIZEHINT(3);
   void SetEmissionArrayName(const char* name);
   const char* GetEmissionArrayName();

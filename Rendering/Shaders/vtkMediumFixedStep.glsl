@@ -23,6 +23,22 @@ vec3 fixedStepInScatter(vec3 point, vec3 direction, Content content)
 }
 #endif
 
+#ifdef OUTPUT_TRANSMITTANCE_DEPTH
+// Keeps the t where the mean transmittance falls to depthTransmittance, as first and last hit. Inside
+// the segment the optical depth grows linearly.
+void fixedStepMarkDepth(
+  float start, float width, SPECTRUM before, SPECTRUM depth, inout FrameState state)
+{
+  float entering = SPECTRUM_MEAN(transmittance(before));
+  float leaving = SPECTRUM_MEAN(transmittance(before + depth));
+  if (!frameHasHit(state) && leaving <= depthTransmittance)
+  {
+    float fraction = log(entering / depthTransmittance) / log(entering / leaving);
+    state.first = state.last = start + clamp(fraction, 0.0, 1.0) * width;
+  }
+}
+#endif
+
 // One segment: constant coefficients and source, taken at its middle. Returns its optical depth.
 SPECTRUM fixedStepSegment(
   EyeRay ray, float middle, float width, SPECTRUM depthBefore, inout FrameState state)
@@ -38,12 +54,20 @@ SPECTRUM fixedStepSegment(
     source += fixedStepInScatter(point, ray.direction, content);
   }
 #endif
-  state.radiance += transmittance(depthBefore) * segmentMeanTransmittance(depth) * width * source;
+  vec3 gathered = transmittance(depthBefore) * segmentMeanTransmittance(depth) * width * source;
+  state.radiance += gathered;
+#ifdef OUTPUT_MEAN_DEPTH
+  state.march.a += middle * dot(gathered, vec3(1.0));
+#endif
+#ifdef OUTPUT_TRANSMITTANCE_DEPTH
+  fixedStepMarkDepth(middle - 0.5 * width, width, depthBefore, depth, state);
+#else
   if (SPECTRUM_MEAN(depth) > 0.0)
   {
     state.first = frameHasHit(state) ? state.first : middle - 0.5 * width;
     state.last = middle + 0.5 * width;
   }
+#endif
   return depth;
 }
 
@@ -79,7 +103,17 @@ void main()
     }
   }
   SPECTRUM total = blocks + block;
-  state.march = vec4(vec3(total), 0.0);
+  state.march = vec4(vec3(total), state.march.a);
   state.alpha = 1.0 - SPECTRUM_MEAN(transmittance(total));
+#ifdef OUTPUT_TRANSMITTANCE
+  state.radiance = vec3(transmittance(total));
+#endif
+#ifdef OUTPUT_OPTICAL_DEPTH
+  state.radiance = vec3(total);
+#endif
+#ifdef OUTPUT_MEAN_DEPTH
+  float weight = dot(state.radiance, vec3(1.0));
+  state.first = state.last = weight > 0.0 ? state.march.a / weight : FRAME_NO_HIT;
+#endif
   frameEnd(state);
 }

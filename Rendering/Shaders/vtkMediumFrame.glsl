@@ -9,6 +9,7 @@ uniform vec3 localToBoxOrigin;
 uniform float eyeStep;   // local units
 uniform float lightStep; // local units
 uniform float transmittanceThreshold;
+uniform float depthTransmittance; // where the Depth output marks the depth
 uniform int firstLight, lastLight; // the lights of this draw, [first, last)
 uniform int firstStep, lastStep;   // the eye steps of this draw, [first, last)
 
