@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMediumCellSums.h"
 
+#include "vtkMediumTargetClones.h"
+
 #include "vtkSMPTools.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace
 {
@@ -100,6 +101,7 @@ inline double vtkMediumCellSums::IntegrateCell(
 }
 
 //------------------------------------------------------------------------------
+VTK_MEDIUM_TARGET_CLONES
 double vtkMediumCellSums::Integrate(
   const glm::dvec3& origin, const glm::dvec3& step, double first, double last) const
 {
@@ -109,8 +111,9 @@ double vtkMediumCellSums::Integrate(
   for (int axis = 0; axis < 3; ++axis)
   {
     const double at = origin[axis] + first * step[axis] + shift;
-    const double lower = std::floor(at);
-    cell[axis] = static_cast<int>(lower);
+    cell[axis] = static_cast<int>(at); // std::floor is a call on plain x86-64
+    cell[axis] -= at < cell[axis] ? 1 : 0;
+    const double lower = cell[axis];
     sign[axis] = step[axis] < 0 ? -1 : 1;
     spacing[axis] = step[axis] != 0 ? sign[axis] / step[axis] : 1e300;
     next[axis] = step[axis] != 0

@@ -149,6 +149,14 @@ void vtkMediumFrame::SetContentUniforms(
   SetUniform(program, "phaseLobes",
     glm::dvec4(
       content.BackAnisotropy, content.ForwardWeight, content.DraineAlpha, 0));
+  for (std::size_t i = 0; i < plan.Lattices.size(); ++i)
+  {
+    const std::string index = '[' + std::to_string(i) + ']';
+    SetUniform(program, ("latticeScale" + index).c_str(), plan.Lattices[i].Scale);
+    SetUniform(program, ("latticeBias" + index).c_str(), plan.Lattices[i].Bias);
+  }
+  program->SetUniformi("iterationBudget", plan.IterationBudget);
+  SetUniform(program, "exactTolerance", vtkMediumPlan::ExactTolerance);
   SetUniform(program, "paperExtinction", plan.Filled.Extinction);
   SetUniform(program, "paperScattering", plan.Filled.Scattering);
   SetUniform(program, "paperAnisotropy", content.Anisotropy.Scale.x);
@@ -182,6 +190,7 @@ bool vtkMediumFrame::Integrate(vtkMediumProgram& programs, vtkMediumTextures& te
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   state->vtkglViewport(0, 0, this->View.Size.x, this->View.Size.y);
 
+  this->Draws = 0;
   state->PushFramebufferBindings();
   this->Framebuffer->SetContext(this->Window);
   for (int set = 0; set < this->UsedSets; ++set)
@@ -201,7 +210,8 @@ bool vtkMediumFrame::Integrate(vtkMediumProgram& programs, vtkMediumTextures& te
     this->SetContentUniforms(program, scene, plan);
     for (const vtkMediumPlan::Pass& pass : plan.Passes)
     {
-      this->DrawPass(programs, program, pass, this->UsedSets - 1 - this->Result);
+      plan.IterationBudget > 0 ? this->DrawUntilOver(programs, program, pass)
+                               : this->DrawPass(programs, program, pass);
     }
     this->Depth->Deactivate();
     textures.Deactivate();
@@ -211,9 +221,29 @@ bool vtkMediumFrame::Integrate(vtkMediumProgram& programs, vtkMediumTextures& te
 }
 
 //------------------------------------------------------------------------------
-void vtkMediumFrame::DrawPass(vtkMediumProgram& programs, vtkShaderProgram* program,
-  const vtkMediumPlan::Pass& pass, int set)
+void vtkMediumFrame::DrawUntilOver(
+  vtkMediumProgram& programs, vtkShaderProgram* program, const vtkMediumPlan::Pass& pass)
 {
+  vtkMediumPlan::Pass draw = pass;
+  bool over = false;
+  while (!over)
+  {
+    this->DrawPass(programs, program, draw);
+    ++draw.FirstStep; // the march begins in the first draw and goes on in the others
+    const std::vector<float> hits = this->DownloadHits();
+    over = true;
+    for (std::size_t i = 3; i < hits.size(); i += 4)
+    {
+      over = over && hits[i] != Unfinished;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMediumFrame::DrawPass(
+  vtkMediumProgram& programs, vtkShaderProgram* program, const vtkMediumPlan::Pass& pass)
+{
+  const int set = this->UsedSets - 1 - this->Result;
   const char* names[Targets] = { "carriedRadiance", "carriedHits", "carriedMarch" };
   const int carried = this->UsedSets > 1 ? Targets : 0;
   this->BindTargets(set);
@@ -233,6 +263,7 @@ void vtkMediumFrame::DrawPass(vtkMediumProgram& programs, vtkShaderProgram* prog
     this->Textures[1 - set][target]->Deactivate();
   }
   this->Result = set;
+  ++this->Draws;
 }
 
 //------------------------------------------------------------------------------

@@ -34,6 +34,9 @@ public:
   /// The t of a first hit where the ray met nothing; rays may start anywhere, also at t < 0.
   static constexpr float NoHit = -1e30f;
 
+  /// The count of rays of a pixel whose march goes on in the next draw.
+  static constexpr float Unfinished = 0.5f;
+
   /// The viewport that the frame is shown in, window pixels.
   struct Viewport
   {
@@ -73,6 +76,8 @@ public:
   std::vector<float> DownloadRadiance() { return this->Download(0); }
   std::vector<float> DownloadHits() { return this->Download(1); }
   const Viewport& GetViewport() const { return this->View; }
+  /// Draws that the last Integrate needed.
+  int GetDraws() const { return this->Draws; }
 
   vtkTypeInt64 GetBytes() const;
   void ReleaseGraphicsResources(vtkWindow* window);
@@ -85,8 +90,10 @@ private:
     vtkShaderProgram* program, const vtkMediumScene& scene, const vtkMediumPlan& plan);
   void SetContentUniforms(
     vtkShaderProgram* program, const vtkMediumScene& scene, const vtkMediumPlan& plan);
+  void DrawUntilOver(vtkMediumProgram& programs, vtkShaderProgram* program,
+    const vtkMediumPlan::Pass& pass);
   void DrawPass(vtkMediumProgram& programs, vtkShaderProgram* program,
-    const vtkMediumPlan::Pass& pass, int set);
+    const vtkMediumPlan::Pass& pass);
   void BindTargets(int set);
   void ClearTargets(int set);
 
@@ -97,6 +104,7 @@ private:
   Viewport View;
   int UsedTargets = 2;
   int UsedSets = 1;
+  int Draws = 0;
   int Result = 0; ///< the set that holds the integrated frame
 };
 

@@ -8,11 +8,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace
 {
-// Rays within this many spacings of the box take part in interpolation at its border; three do so
-// directly, the fourth covers rounding.
+// Rays that have left the box carry on within this many spacings of it, for interpolation at its
+// border; three take part directly, the fourth covers rounding.
 constexpr int Margin = 4;
 
 //------------------------------------------------------------------------------
@@ -119,10 +120,11 @@ void vtkMediumLightPyramid::FindLives(Lateral& lateral) const
         continue; // leads away from the box
       }
       lateral.Entries[a] = way / slope;
+      first = std::max(first, lateral.Entries[a]);
     }
     if (first <= last)
     {
-      lateral.FirstPlanes[a] = static_cast<int>(std::ceil(first - this->FirstDepth - 1e-9));
+      lateral.FirstPlanes[a] = static_cast<int>(std::ceil(first - this->FirstDepth));
       lateral.LastPlanes[a] = static_cast<int>(std::floor(last - this->FirstDepth + 1e-9));
     }
   }
@@ -236,19 +238,13 @@ glm::dvec3 vtkMediumLightPyramid::RayAt(int a, int b, int plane) const
 }
 
 //------------------------------------------------------------------------------
-// The optical depth of a ray, over its length between planes, at the first plane near the box.
+// The sum along a ray from where it enters the box to the first plane after that.
 double vtkMediumLightPyramid::EnterRay(int a, int b, int plane) const
 {
   double entry = std::max({ this->EntryW, this->U.Entries[a], this->V.Entries[b] });
   entry = this->Directional ? entry : std::max(entry, 0.0);
-  if (entry >= this->DepthOf(this->Planes - 1) + 1)
-  {
-    return 0; // nowhere near the box
-  }
-  // Backwards from the plane to the entry, or forwards to it where that is yet to come.
-  const glm::dvec3 at = this->RayAt(a, b, plane), step = this->StepOf(a, b);
-  const double way = this->DepthOf(plane) - entry;
-  return way >= 0 ? this->Sums.Integrate(at, -step, 0, way) : -this->Sums.Integrate(at, step, 0, -way);
+  return this->Sums.Integrate(
+    this->RayAt(a, b, plane), -this->StepOf(a, b), 0, this->DepthOf(plane) - entry);
 }
 
 //------------------------------------------------------------------------------
@@ -392,7 +388,7 @@ void vtkMediumLightPyramid::InterpolateRow(
     }
     const float error = EstimateWeight(fraction) * std::abs(difference) +
       std::max(std::abs(roughness[at - begin]), std::abs(roughness[at + 1 - begin]));
-    if (error * std::exp(-std::max(value - error, 0.0f)) > this->Tolerance)
+    if (!(error * std::exp(-std::max(value - error, 0.0f)) < this->Tolerance)) // or not a number
     {
       glm::ivec3 point;
       point[this->U.Axis] = u;
@@ -409,7 +405,8 @@ void vtkMediumLightPyramid::March(const vtkMediumOccupiedRows& rows, std::vector
 {
   const int countU = static_cast<int>(this->U.Origins.size());
   const int countV = static_cast<int>(this->V.Origins.size());
-  this->Depths.assign(static_cast<std::size_t>(countU) * countV, 0.0f);
+  this->Depths.assign(
+    static_cast<std::size_t>(countU) * countV, std::numeric_limits<float>::quiet_NaN());
   this->Lengths.resize(this->Depths.size());
   vtkSMPTools::For(0, countV, [&](vtkIdType begin, vtkIdType end) {
     for (int b = static_cast<int>(begin); b < end; ++b)

@@ -13,9 +13,9 @@
  * where that error may matter: behind edges that the light grazes, and in faces that it grazes. A
  * directional light has one pyramid, its rays parallel.
  *
- * Interpolation at the border of the box needs rays that pass outside of it. They carry the optical
- * depth of the values on the faces extended outwards, counted from where the ray enters through the
- * planes that face the light: negative before, so that the interpolated function has no kink there.
+ * Interpolation uses rays that are inside the box, or left it just before; they carry on through the
+ * values on its faces, held constant outwards. Where a ray around a point has not entered the box yet,
+ * the point gets a ray of its own too.
  */
 #ifndef vtkMediumLightRays_h
 #define vtkMediumLightRays_h

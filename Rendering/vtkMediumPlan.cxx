@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <sstream>
 
@@ -80,8 +81,15 @@ vtkMediumPlan::vtkMediumPlan(
       return;
     }
   }
-  this->SplitIntoPasses(scene, settings, device);
-  this->ChooseProgram(scene, settings);
+  if (settings.Integrator == Mapper::Exact)
+  {
+    this->PlanExact(scene, device);
+  }
+  else
+  {
+    this->SplitIntoPasses(scene, settings, device);
+  }
+  this->ChooseProgram(scene, settings, device);
 }
 
 //------------------------------------------------------------------------------
@@ -241,6 +249,41 @@ void vtkMediumPlan::SplitIntoPasses(
 }
 
 //------------------------------------------------------------------------------
+void vtkMediumPlan::PlanExact(const vtkMediumScene& scene, const Capabilities& device)
+{
+  glm::ivec3 longest(1);
+  for (bool onCells : { false, true })
+  {
+    for (const vtkMediumField& field : this->Fields)
+    {
+      if (field.OnCells == onCells)
+      {
+        const glm::dvec3 first = field.BoxToLattice(glm::dvec3(0));
+        const glm::dvec3 last = field.BoxToLattice(glm::dvec3(1));
+        // Linear between lattice points, or constant around each of them.
+        this->Lattices.push_back({ last - first, first + (field.Linear ? 0.0 : 0.5) });
+        longest += field.Dimensions;
+        break;
+      }
+    }
+  }
+  if (this->Lattices.empty())
+  {
+    this->Lattices.emplace_back(); // a homogeneous box is one cell
+  }
+  // A light at a time, for a part of a cell marches six light rays for each. Software renderers run
+  // eight pixels in lockstep, which at worst spend their iterations one after the other.
+  const int part = 6 * (longest.x + longest.y + longest.z);
+  const int lockstep = 8;
+  this->IterationBudget = std::max(device.LoopIterations / lockstep - part, 1);
+  const int lights = this->Lit ? static_cast<int>(scene.Lights.size()) : 0;
+  for (int light = 0; light < std::max(lights, 1); ++light)
+  {
+    this->Passes.push_back({ light, std::min(light + 1, lights), 0, 0 });
+  }
+}
+
+//------------------------------------------------------------------------------
 std::string vtkMediumPlan::OutputDefines(const Settings& settings) const
 {
   const bool depth = settings.Output == Mapper::Depth;
@@ -271,50 +314,65 @@ std::string vtkMediumPlan::OutputDefines(const Settings& settings) const
 }
 
 //------------------------------------------------------------------------------
-void vtkMediumPlan::ChooseProgram(const vtkMediumScene& scene, const Settings& settings)
+void vtkMediumPlan::ChooseProgram(
+  const vtkMediumScene& scene, const Settings& settings, const Capabilities& device)
 {
   const bool paper = settings.Integrator == Mapper::Paper;
+  const bool exact = settings.Integrator == Mapper::Exact;
   std::ostringstream defines;
-  if (this->Lit)
-  {
-    defines << "#define LIT\n";
-  }
-  if (this->Passes.size() > 1)
-  {
-    defines << "#define CARRY_STATE\n";
-  }
+  defines << (this->Lit ? "#define LIT\n" : "");
+  defines << (exact || this->Passes.size() > 1 ? "#define CARRY_STATE\n" : "");
+  defines << this->OutputDefines(settings);
+  defines << "#define FIELD_COUNT " << this->Fields.size() << "\n";
   if (paper)
   {
     defines << "#define BINARY_SEARCH_ITERATIONS " << settings.BinarySearchIterations << "\n";
     defines << (settings.AssumeConvex ? "#define ASSUME_CONVEX\n" : "");
   }
-  defines << this->OutputDefines(settings);
-  defines << "#define LIGHT_TAPS " << LightTapsPerIteration << "\n";
-  defines << vtkMediumStructure::FieldDefines(this->Fields);
-  if (!paper)
+  else
   {
     defines << vtkMediumStructure::ContentDefines(scene.Content);
+    defines << "#define LIGHT_TAPS " << LightTapsPerIteration << "\n";
+  }
+  if (exact)
+  {
+    defines << vtkMediumStructure::ExactDefines(scene.Content);
+    defines << "#define EXACT_PARTS " << ExactParts << "\n";
+    defines << "#define LATTICE_COUNT " << this->Lattices.size() << "\n";
+    defines << (device.CoarseFilter ? "#define COARSE_FILTER\n" : "");
   }
   defines << vtkMediumStructure::LightDefines(scene.Lights);
   defines << vtkMediumStructure::PhaseDefines(scene.Content, paper);
   this->ShaderDefines = defines.str();
+  this->ChooseShaderFiles(settings.Integrator);
+}
 
-  this->ShaderFiles = { "Phase", "RayBox", "Segment", "Transmittance", "Frame", "EyeRay", "Fields" };
+//------------------------------------------------------------------------------
+void vtkMediumPlan::ChooseShaderFiles(int integrator)
+{
+  std::vector<std::string>& files = this->ShaderFiles;
+  auto add = [&files](std::initializer_list<const char*> names) {
+    files.insert(files.end(), names.begin(), names.end());
+  };
+  add({ "Phase", "RayBox", "Segment", "Transmittance", "Frame", "EyeRay", "Fields" });
   if (this->Lit)
   {
-    this->ShaderFiles.insert(this->ShaderFiles.end(), { "PhaseLobes", "Light", "Lights" });
+    add({ "PhaseLobes", "Light", "Lights" });
   }
-  if (paper)
+  switch (integrator)
   {
-    this->ShaderFiles.insert(this->ShaderFiles.end(), { "PaperSearch", "Paper" });
-    return;
+    case Mapper::Paper:
+      add({ "PaperSearch", "Paper" });
+      break;
+    case Mapper::Exact:
+      add({ "Content", "CellWalk", "ExactDepth", "InScatter", "Output", "Exact" });
+      break;
+    default:
+      add({ "Content" });
+      add(this->Lit ? std::initializer_list<const char*>{ "LightRay" }
+                    : std::initializer_list<const char*>{});
+      add({ "InScatter", "Output", "FixedStep" });
   }
-  this->ShaderFiles.push_back("Content");
-  if (this->Lit)
-  {
-    this->ShaderFiles.push_back("LightRay");
-  }
-  this->ShaderFiles.push_back("FixedStep");
 }
 
 //------------------------------------------------------------------------------

@@ -43,6 +43,15 @@ public:
     /// loop of a fragment, in silence, once 65,536 iterations have been spent in it.
     int LoopIterations = 65536;
     int TextureSize3D = 2048;
+    /// The filter of 3D textures rounds its weights, as GPUs do (to 1/256).
+    bool CoarseFilter = false;
+  };
+
+  /// Where the cells are in which the fields are smooth: box x Scale + Bias is an integer on a face.
+  struct Lattice
+  {
+    glm::dvec3 Scale{ 1 };
+    glm::dvec3 Bias{ 0 };
   };
 
   /// A part of the frame that one draw integrates.
@@ -61,6 +70,10 @@ public:
 
   /// The shortest step, as a fraction of the volume's diagonal; beyond it float adds only rounding.
   static constexpr double ShortestStep = 1.0 / 100000;
+  /// Exact: the difference between a part of a cell and its halves that is accepted, of the radiance.
+  static constexpr double ExactTolerance = 2e-5;
+  /// Exact: parts of a cell in which a field counts as linear where a function maps it.
+  static constexpr int ExactParts = 2;
   /// Look-ups in one iteration of a light ray's loop.
   static constexpr int LightTapsPerIteration = 4;
 
@@ -79,6 +92,10 @@ public:
   Homogeneous Filled;        ///< Paper
   std::vector<vtkMediumField> Fields; ///< the textures that the integrator reads, by number
   std::vector<Pass> Passes;
+  std::vector<Lattice> Lattices; ///< Exact
+  /// Exact: loop iterations after which a draw hands over to the next; each pass is drawn until every
+  /// march is over. 0 in the other integrators.
+  int IterationBudget = 0;
 
   std::vector<std::string> ShaderFiles; ///< in order, without prefix and suffix
   std::string ShaderDefines;            ///< the structural choices, as preprocessor lines
@@ -91,9 +108,11 @@ private:
   void Validate(const Settings&, const Capabilities&);
   void ChooseSteps(const vtkMediumScene&, const Settings&);
   void PlanPaper(const vtkMediumScene&, const Settings&);
+  void PlanExact(const vtkMediumScene&, const Capabilities&);
   std::string OutputDefines(const Settings&) const;
   void SplitIntoPasses(const vtkMediumScene&, const Settings&, const Capabilities&);
-  void ChooseProgram(const vtkMediumScene&, const Settings&);
+  void ChooseProgram(const vtkMediumScene&, const Settings&, const Capabilities&);
+  void ChooseShaderFiles(int integrator);
 };
 
 #endif

@@ -40,14 +40,6 @@ std::string Expression(const vtkMediumScene::Coefficient& coefficient, const cha
 }
 
 //------------------------------------------------------------------------------
-std::string vtkMediumStructure::FieldDefines(const std::vector<vtkMediumField>& fields)
-{
-  std::ostringstream text;
-  text << "#define FIELD_COUNT " << fields.size() << "\n";
-  return text.str();
-}
-
-//------------------------------------------------------------------------------
 std::string vtkMediumStructure::ContentDefines(const vtkMediumScene::Medium& content)
 {
   std::ostringstream text;
@@ -75,6 +67,25 @@ std::string vtkMediumStructure::ContentDefines(const vtkMediumScene::Medium& con
   {
     text << "#define CHROMATIC_EXTINCTION\n";
   }
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkMediumStructure::ExactDefines(const vtkMediumScene::Medium& content)
+{
+  using Coefficient = vtkMediumScene::Coefficient;
+  const Coefficient& extinction = content.Extinction;
+  const bool function = extinction.Source == Coefficient::FunctionRGB ||
+    extinction.Source == Coefficient::FunctionAlpha;
+  if (!function || content.ExtinctionIsAbsorption)
+  {
+    return {}; // affine in the field, or a sum that has no table of its own
+  }
+  std::ostringstream text;
+  text << "#define EXTINCTION_TEXEL(box) fieldTexel(" << extinction.FieldIndex << ", box).r\n";
+  text << "#define EXTINCTION_BETWEEN(a, b) (functionMean(" << extinction.FunctionIndex << ", a, b)"
+       << (extinction.Source == Coefficient::FunctionRGB ? ".rgb" : ".aaa")
+       << " * extinctionScale)\n";
   return text.str();
 }
 

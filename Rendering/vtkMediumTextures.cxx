@@ -122,17 +122,25 @@ void vtkMediumTextures::UpdateFunctions(const std::vector<vtkMediumFunction>& fu
   {
     return;
   }
-  std::vector<float> texels;
+  std::vector<float> texels, primitives;
   for (const vtkMediumFunction& function : functions)
   {
+    const double intervals = static_cast<double>(function.GetSamples().size()) - 1;
+    glm::dvec4 before(0);
+    glm::dvec4 primitive(0);
     for (const glm::dvec4& sample : function.GetSamples())
     {
+      const bool first = &sample == function.GetSamples().data();
+      primitive += first ? glm::dvec4(0) : 0.5 * (before + sample) / intervals;
+      before = sample;
       AppendTexel(texels, glm::dvec3(sample), sample.w);
+      AppendTexel(primitives, glm::dvec3(primitive), primitive.w);
     }
   }
   const int width = static_cast<int>(functions.front().GetSamples().size());
-  this->UploadTable(
-    this->FunctionTable, width, static_cast<int>(functions.size()), 4, texels, true);
+  const int height = static_cast<int>(functions.size());
+  this->UploadTable(this->FunctionTable, width, height, 4, texels, true);
+  this->UploadTable(this->PrimitiveTable, width, height, 4, primitives, false);
   this->Functions = functions;
 }
 
@@ -222,6 +230,7 @@ void vtkMediumTextures::Activate(vtkShaderProgram* program, const vtkMediumPlan&
     program->SetUniform2f("functionScale", scale);
   }
   activate(this->FunctionTable, "functions");
+  activate(this->PrimitiveTable, "primitives");
   activate(this->LightTable, "lights");
   activate(this->PhaseTable, "phaseTable");
   activate(this->JitterTable, "jitterTable");
@@ -246,6 +255,7 @@ void vtkMediumTextures::ReleaseGraphicsResources(vtkWindow* window)
   }
   this->Fields.clear();
   this->FunctionTable->ReleaseGraphicsResources(window);
+  this->PrimitiveTable->ReleaseGraphicsResources(window);
   this->LightTable->ReleaseGraphicsResources(window);
   this->PhaseTable->ReleaseGraphicsResources(window);
   this->JitterTable->ReleaseGraphicsResources(window);
@@ -263,7 +273,7 @@ vtkTypeInt64 vtkMediumTextures::GetBytes() const
   }
   for (const vtkMediumFunction& function : this->Functions)
   {
-    floats += 4 * function.GetSamples().size();
+    floats += 2 * 4 * function.GetSamples().size();
   }
   return floats * sizeof(float);
 }

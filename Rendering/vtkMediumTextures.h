@@ -69,6 +69,7 @@ private:
   std::vector<float> LightTexels;           ///< as uploaded
   std::vector<float> PhaseTexels;           ///< as uploaded
   vtkNew<vtkTextureObject> FunctionTable;
+  vtkNew<vtkTextureObject> PrimitiveTable; ///< the functions' integrals
   vtkNew<vtkTextureObject> LightTable;
   vtkNew<vtkTextureObject> PhaseTable;
   vtkNew<vtkTextureObject> JitterTable;

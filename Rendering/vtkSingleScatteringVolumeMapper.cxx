@@ -137,7 +137,7 @@ std::string vtkSingleScatteringVolumeMapper::Internals::Draw(
   statistics->UploadMilliseconds = 1e3 * (uploaded - planned);
   statistics->IntegrateMilliseconds = 1e3 * (vtkTimerLog::GetUniversalTime() - uploaded) -
     statistics->CompileMilliseconds;
-  statistics->Passes = static_cast<vtkTypeInt64>(plan.Passes.size());
+  statistics->Passes = this->Frame.GetDraws();
   statistics->TextureUploads = this->Textures.GetUploads();
   statistics->ProgramCompiles = this->Programs.GetCompiles();
   statistics->GPUBytes = this->Textures.GetBytes() + this->Frame.GetBytes();
@@ -270,6 +270,7 @@ vtkMediumPlan::Capabilities vtkSingleScatteringVolumeMapper::Internals::FindCapa
   if (!software)
   {
     device.LoopIterations = 1 << 22; // short enough draws that no driver's watchdog ends one
+    device.CoarseFilter = true;
   }
   glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &device.TextureSize3D);
   return device;
@@ -286,7 +287,7 @@ std::string vtkSingleScatteringVolumeMapper::Internals::DrawFrame(
   {
     return {}; // a viewport without pixels shows nothing
   }
-  const std::string refusal = this->Frame.Begin(this->Window, viewport, plan.Passes.size() > 1);
+  const std::string refusal = this->Frame.Begin(this->Window, viewport, plan.Passes.size() > 1 || plan.IterationBudget > 0);
   if (!refusal.empty())
   {
     return refusal;
@@ -401,7 +402,7 @@ void vtkSingleScatteringVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Medium: " << this->Medium.Get() << "\n";
   os << indent << "Anisotropy: " << this->Anisotropy << "\n";
   os << indent << "PhaseFunction: " << this->PhaseFunction << "\n";
-  os << indent << "Integrator: " << (this->Integrator == Paper ? "Paper" : "FixedStep") << "\n";
+  os << indent << "Integrator: " << this->Integrator << "\n";
   os << indent << "SampleDistance: " << this->SampleDistance << "\n";
   os << indent << "LightSampleDistance: " << this->LightSampleDistance << "\n";
   os << indent << "BinarySearchIterations: " << this->BinarySearchIterations << "\n";

@@ -35,6 +35,7 @@
  * | --- | --- | --- |
  * | Paper | the algorithm of Han, Ki and Oh (GPU Ray Marching for Real-Time Rendering of Participating Media): a homogeneous medium fills the voxels at or above a threshold; linear then binary search finds its surface; left Riemann sums | 1 |
  * | FixedStep | any medium; nested midpoint marching with a closed form in each segment | 2 |
+ * | Exact | any medium; cell by cell on eye and light rays, refined until it agrees with itself; slow | – |
  *
  * @sa vtkParticipatingMedium vtkSingleScatteringReference vtkMediumStatistics
  */
@@ -68,6 +69,7 @@ public:
   {
     Paper,
     FixedStep,
+    Exact,
   };
 
   /// What the image holds.
@@ -119,10 +121,11 @@ public:
 
   ///@{
   /// The integrator. Default: FixedStep.
-  vtkSetClampMacro(Integrator, int, Paper, FixedStep);
+  vtkSetClampMacro(Integrator, int, Paper, Exact);
   vtkGetMacro(Integrator, int);
   void SetIntegratorToPaper() { this->SetIntegrator(Paper); }
   void SetIntegratorToFixedStep() { this->SetIntegrator(FixedStep); }
+  void SetIntegratorToExact() { this->SetIntegrator(Exact); }
   ///@}
 
   ///@{

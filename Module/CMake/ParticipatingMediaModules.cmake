@@ -69,6 +69,16 @@ if(PARTICIPATING_MEDIA_WRAP_PYTHON)
     configure_file("${source}"
       "${PARTICIPATING_MEDIA_PYTHONPATH}/participating_media/${name}" COPYONLY)
   endforeach()
+  # A Python that sees the package of this build tree, and the sanitizers' run time if need be.
+  set(participating_media_preload)
+  if(PARTICIPATING_MEDIA_SANITIZE)
+    execute_process(COMMAND "${CMAKE_CXX_COMPILER}" -print-file-name=libasan.so
+      OUTPUT_VARIABLE participating_media_preload OUTPUT_STRIP_TRAILING_WHITESPACE)
+  endif()
+  configure_file("${CMAKE_CURRENT_SOURCE_DIR}/Module/Python/python.in"
+    "${CMAKE_BINARY_DIR}/python" @ONLY)
+  set(PARTICIPATING_MEDIA_PYTHON "${CMAKE_BINARY_DIR}/python")
+
   install(FILES ${participating_media_python_sources}
     DESTINATION "${participating_media_python_destination}/participating_media")
 endif()

@@ -4,6 +4,7 @@
 
 #include "vtkMediumReferenceLight.h"
 #include "vtkMediumReferencePhase.h"
+#include "vtkMediumShadowEdges.h"
 
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
@@ -119,9 +120,12 @@ vtkMediumReferenceIntegrator::Result vtkMediumReferenceIntegrator::Integrate(
     return result;
   }
   std::vector<double> lightCuts;
+  std::vector<vtkMediumShadowEdges> edges;
   for (const vtkMediumScene::Light& light : this->Scene.Lights)
   {
     vtkMediumAppendLightCuts(light, ray.Origin, ray.Direction, lightCuts);
+    edges.emplace_back(this->Content, this->Scene.Geometry, light, boxRay);
+    edges.back().AppendBoxEdges(begin, end, lightCuts);
   }
 
   vtkMediumRayCells cells(this->Content, this->Content.GetNumberOfFields(), boxRay, begin, end);
@@ -137,6 +141,10 @@ vtkMediumReferenceIntegrator::Result vtkMediumReferenceIntegrator::Integrate(
       }
     }
     cells.AppendKinks(cuts);
+    for (const vtkMediumShadowEdges& edge : edges)
+    {
+      edge.AppendVoxelEdges(cells.GetBegin(), cells.GetEnd(), cuts);
+    }
     std::sort(cuts.begin(), cuts.end());
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
     {

@@ -16,6 +16,35 @@ uniform vec2 functionScale;  // field texel to texture coordinate: scale and bia
     (float(number) + 0.5) / float(FUNCTION_COUNT)))
 #endif
 
+#ifdef EXTINCTION_BETWEEN
+uniform sampler2D primitives; // one row a function: its integral from the first value, range 0...1
+
+// A function's integral from a texel of 0 to this one: exact, since the function is linear between its
+// samples.
+vec4 functionPrimitive(int number, float texel)
+{
+  int intervals = textureSize(functions, 0).x - 1;
+  float position = clamp(texel, 0.0, 1.0) * float(intervals);
+  int i = min(int(position), intervals - 1);
+  float x = position - float(i);
+  vec4 here = texelFetch(functions, ivec2(i, number), 0);
+  vec4 there = texelFetch(functions, ivec2(i + 1, number), 0);
+  return texelFetch(primitives, ivec2(i, number), 0) +
+    (here + 0.5 * x * (there - here)) * x / float(intervals);
+}
+
+// The mean of a function over the values between two texels. Where they are too close for the difference
+// of the primitive, the function at their middle is as good.
+vec4 functionMean(int number, float a, float b)
+{
+  if (abs(b - a) < 2.0e-3)
+  {
+    return functionValue(number, 0.5 * (a + b));
+  }
+  return (functionPrimitive(number, b) - functionPrimitive(number, a)) / (b - a);
+}
+#endif
+
 // Grey extinction is one number, so that its transmittance is one exponential.
 #ifdef CHROMATIC_EXTINCTION
 #define SPECTRUM vec3

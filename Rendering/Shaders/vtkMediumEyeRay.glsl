@@ -11,11 +11,14 @@ uniform vec3 eyeDirection, eyeDirectionX, eyeDirectionY;
 uniform vec4 clipZ, clipW; // rows of the local-to-clip matrix
 uniform sampler2D opaqueDepth;
 
+// The part of the ray inside the volume, after the near plane and before opaque geometry. Its origin is
+// where it starts, so that positions along it stay exact however far the eye is.
 struct EyeRay
 {
   vec3 origin;    // local
   vec3 direction; // local, unit
-  vec2 interval;  // t inside the volume, after the near plane, before opaque geometry
+  float span;     // local units; <= 0: nothing to see
+  float offset;   // from the eye to the origin
 };
 
 // Where the ray has the normalised depth z (-1 near plane, 1 far plane): solves clipZ.p = z clipW.p.
@@ -38,5 +41,6 @@ EyeRay eyeRay()
   {
     interval.y = min(interval.y, eyeRayAtDepth(origin, direction, depth * 2.0 - 1.0));
   }
-  return EyeRay(origin, direction, interval);
+  return EyeRay(
+    origin + interval.x * direction, direction, interval.y - interval.x, interval.x);
 }

@@ -30,6 +30,7 @@ vec3 frameBoxDirection(vec3 local)
 }
 
 #define FRAME_NO_HIT -1.0e30 // vtkMediumFrame::NoHit
+#define FRAME_UNFINISHED 0.5  // vtkMediumFrame::Unfinished
 
 struct FrameState
 {
@@ -38,7 +39,7 @@ struct FrameState
   float first;    // t of the first point of the medium, local units; FRAME_NO_HIT: none yet
   float last;     // t of the last point of the medium
   float taps;     // look-ups so far
-  float rays;     // 1 where the eye ray met the volume
+  float rays;     // 1 where the eye ray met the volume; FRAME_UNFINISHED until its march is over
   vec4 march;     // what the integrator needs to go on
 };
 

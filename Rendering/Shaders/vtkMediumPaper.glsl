@@ -66,15 +66,15 @@ struct PaperMarch
 #define PAPER_INSIDE 1.0
 #define PAPER_DONE 2.0
 
-PaperMarch paperBegin(EyeRay ray, vec3 start, vec3 along, inout FrameState state)
+PaperMarch paperBegin(EyeRay ray, vec3 start, inout FrameState state)
 {
   if (firstStep > 0)
   {
     return PaperMarch(state.march.x, state.march.y, state.march.z, state.march.w);
   }
-  bool filled = paperFilled(start + ray.interval.x * along);
-  state.first = filled ? ray.interval.x : state.first;
-  return PaperMarch(ray.interval.x, 0.0, 0.0, filled ? PAPER_INSIDE : PAPER_OUTSIDE);
+  bool filled = paperFilled(start);
+  state.first = filled ? ray.offset : state.first;
+  return PaperMarch(0.0, 0.0, 0.0, filled ? PAPER_INSIDE : PAPER_OUTSIDE);
 }
 
 // One linear step: find its end, gather light if it is inside, then move on.
@@ -83,7 +83,7 @@ void paperStep(EyeRay ray, vec3 start, vec3 along, float jitter, inout PaperMarc
 {
   bool inside = march.place == PAPER_INSIDE;
   float t = march.base + march.steps * eyeStep;
-  float next = min(t + eyeStep, ray.interval.y);
+  float next = min(t + eyeStep, ray.span);
   bool filled = paperFilled(start + next * along);
   bool crossed = filled != inside;
   float end = crossed ? paperBisect(start, along, t, next, filled) : next;
@@ -96,12 +96,12 @@ void paperStep(EyeRay ray, vec3 start, vec3 along, float jitter, inout PaperMarc
     state.radiance += transmittance(depth) * source * (end - t);
   }
 #endif
-  bool over = next >= ray.interval.y && !crossed;
+  bool over = next >= ray.span && !crossed;
   if (crossed || over)
   {
     march.path += inside ? end - march.base : 0.0;
-    state.last = inside ? end : state.last;
-    state.first = filled && !frameHasHit(state) ? end : state.first;
+    state.last = inside ? ray.offset + end : state.last;
+    state.first = filled && !frameHasHit(state) ? ray.offset + end : state.first;
     march.base = end;
     march.steps = -1.0;
     march.place = over ? PAPER_DONE : filled ? PAPER_INSIDE : PAPER_OUTSIDE;
@@ -122,7 +122,7 @@ float paperAlpha(PaperMarch march)
 void main()
 {
   EyeRay ray = eyeRay();
-  if (!(ray.interval.y > ray.interval.x))
+  if (!(ray.span > 0.0))
   {
     discard;
   }
@@ -132,7 +132,7 @@ void main()
   ivec2 entry = ivec2(gl_FragCoord.xy) % textureSize(jitterTable, 0);
   float jitter = paperJitter * texelFetch(jitterTable, entry, 0).r;
   state.rays = 1.0;
-  PaperMarch march = paperBegin(ray, start, along, state);
+  PaperMarch march = paperBegin(ray, start, state);
   for (int i = firstStep; i < lastStep && march.place != PAPER_DONE; ++i)
   {
     paperStep(ray, start, along, jitter, march, state);

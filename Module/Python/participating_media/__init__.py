@@ -1,16 +1,27 @@
+# SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Participating media for VTK: single scattering in vtkImageData.
 
-The package holds three classes, to be used in any VTK pipeline:
+Its classes are used in any VTK pipeline:
 
 - ``vtkSingleScatteringVolumeMapper``: a ``vtkVolumeMapper`` that renders by single scattering;
 - ``vtkParticipatingMedium``: what fills the volume, in physical units;
-- ``vtkSingleScatteringReference``: the same image on the CPU, in double precision.
+- ``vtkMediumStatistics``: what the mapper did, as ``mapper.GetStatistics()`` returns it.
+
+``participating_media.readers`` reads volumes by path, ``participating_media.presets`` has volume
+properties for common data, ``participating_media.picture`` writes pictures, and the command line
+``participating-media`` (or ``python3 -m participating_media``) joins them.
 """
 
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  registers VTK's OpenGL factories
 import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
 
-from .vtkParticipatingMedium import vtkParticipatingMedium
 from .vtkParticipatingMediaRendering import vtkMediumStatistics, vtkSingleScatteringVolumeMapper
+from .vtkParticipatingMedium import vtkParticipatingMedium, vtkSingleScatteringReference
 
-__all__ = ["vtkMediumStatistics", "vtkParticipatingMedium", "vtkSingleScatteringVolumeMapper"]
+__all__ = [
+    "vtkMediumStatistics",
+    "vtkParticipatingMedium",
+    "vtkSingleScatteringReference",
+    "vtkSingleScatteringVolumeMapper",
+]

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Optical depth to the accuracy of float: cell by cell, each in closed form.
+
+#define EXACT_GAUSS 0.28867513459481287 // half the distance of two-point Gauss-Legendre's nodes, / width
+
+// Over a to b inside one cell. There the field along the ray is a cubic: two Gauss-Legendre points are
+// exact where the extinction is affine in it. Where the extinction is a function of the field, the
+// function's mean over the values that a part of the segment spans is exact for a field that is linear
+// along the part, whatever knots and steps the function has.
+SPECTRUM exactCellDepth(vec3 start, vec3 along, float a, float b)
+{
+#ifdef EXTINCTION_BETWEEN
+  float last = EXTINCTION_TEXEL(start + a * along);
+  SPECTRUM sum = SPECTRUM(0.0);
+  for (int part = 1; part <= EXACT_PARTS; ++part)
+  {
+    float here = EXTINCTION_TEXEL(start + mix(a, b, float(part) / float(EXACT_PARTS)) * along);
+    sum += SPECTRUM_OF(EXTINCTION_BETWEEN(last, here));
+    last = here;
+  }
+  COUNT(EXACT_PARTS + 1);
+  return sum * (b - a) / float(EXACT_PARTS);
+#else
+  float middle = 0.5 * (a + b);
+  float reach = EXACT_GAUSS * (b - a);
+  COUNT(2);
+  return 0.5 * (b - a) *
+    (contentExtinction(start + (middle - reach) * along) +
+      contentExtinction(start + (middle + reach) * along));
+#endif
+}
+
+int exactIterations = 0; // loop iterations that this draw has spent on light rays
+
+// From a point to a light.
+SPECTRUM lightRayOpticalDepth(vec3 point, Light light)
+{
+  vec3 start = frameBoxPoint(point);
+  vec3 along = frameBoxDirection(light.direction);
+  float span = min(rayBox(start, along).y, light.distance);
+  SPECTRUM sum = SPECTRUM(0.0);
+  float t = 0.0;
+  while (t < span)
+  {
+    float next = max(cellWalkNext(start, along, t, span), t + CELL_WALK_LEAST);
+    sum += exactCellDepth(start, along, t, next);
+    t = next;
+    ++exactIterations;
+  }
+  return sum;
+}

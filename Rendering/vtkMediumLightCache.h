@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkMediumLightCache
+ * @brief Optical depth from one light at every lattice point of the medium, and what a shader looks up.
+ *
+ * Directional lights are exact (vtkMediumLightStencil). Point and spot lights, outside the box or
+ * inside of it, go along light-aligned rays (vtkMediumLightRays) with the estimated error of exp(-tau)
+ * held below Tolerance at every lattice point.
+ *
+ * Optical depths are for a DensityScale of 1 and know no colour, albedo or phase function: only the
+ * grid and the light's pose count. They are promised within two lattice steps of extinction > 0, where
+ * interpolation can meet them with their neighbours; elsewhere they may be 0.
+ *
+ * @par Memory
+ * 4 bytes a lattice point are kept. While building, a directional light needs up to 5 more and point
+ * lights up to 13 (the padded rows that are not empty, and 8 bytes a ray, one pyramid at a time).
+ *
+ * @par Prefiltering
+ * A trilinear lookup of S = exp(-tau) errs by 1/8 of the sum of its second differences at most, and by
+ * 1/12 of them on average over a cell, always to the same side. PackTransmittance takes that mean error
+ * off in advance, so that what is left averages out along a ray. The result may be a little outside of
+ * [0, 1].
+ */
+#ifndef vtkMediumLightCache_h
+#define vtkMediumLightCache_h
+
+#include "vtkMediumExtinctionGrid.h"
+#include "vtkMediumScene.h"
+#include "vtkParticipatingMediaRenderingModule.h" // for the export macro
+
+#include <cstdint>
+#include <vector>
+
+class VTKPARTICIPATINGMEDIARENDERING_EXPORT vtkMediumLightCache
+{
+public:
+  /// The largest estimated error of exp(-tau) at a lattice point that Build leaves, for point and spot
+  /// lights. Default: a quarter of an 8-bit step. Values below rounding, about 1e-6, make every point
+  /// exact, at O(N^4).
+  void SetTolerance(double tolerance) { this->Tolerance = tolerance; }
+  double GetTolerance() const { return this->Tolerance; }
+
+  /// Computes the optical depths anew.
+  void Build(const vtkMediumExtinctionGrid& grid, const vtkMediumScene::Light& light);
+
+  /// Whether two lights cast the same shadows: type, position, direction and cone are equal.
+  static bool HaveSamePose(const vtkMediumScene::Light& a, const vtkMediumScene::Light& b);
+
+  /// Optical depths in the order of the grid's values.
+  const std::vector<float>& GetOpticalDepths() const { return this->Depths; }
+
+  /// Writes the transmittance exp(-densityScale tau), prefiltered unless told otherwise, as half
+  /// floats: target[i * stride] for lattice point i.
+  void PackTransmittance(
+    double densityScale, bool prefilter, std::uint16_t* target, std::size_t stride = 1) const;
+
+  /// The same as floats, one for each lattice point.
+  std::vector<float> GetTransmittance(double densityScale, bool prefilter) const;
+
+  /// How often Build ran, since creation.
+  int GetNumberOfBuilds() const { return this->Builds; }
+  /// Lattice points that the last Build gave a ray of their own.
+  long long GetNumberOfMarches() const { return this->Marches; }
+
+private:
+  void FilterSlices(double densityScale, bool prefilter, int begin, int end, float* target) const;
+
+  double Tolerance = 0.25 / 255;
+  glm::ivec3 Dimensions{ 0 };
+  std::vector<float> Depths;
+  int Builds = 0;
+  long long Marches = 0;
+};
+
+#endif

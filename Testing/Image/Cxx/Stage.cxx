@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Stage.h"
+
+#include "vtkCamera.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkPiecewiseFunction.h"
+
+#include <cmath>
+
+//------------------------------------------------------------------------------
+Stage::Stage(int width, int height)
+{
+  this->Window->SetOffScreenRendering(1);
+  this->Window->SetMultiSamples(0);
+  this->Window->SetSize(width, height);
+}
+
+//------------------------------------------------------------------------------
+Stage::~Stage() = default;
+
+//------------------------------------------------------------------------------
+vtkRenderer* Stage::AddView(double left, double right)
+{
+  vtkNew<vtkRenderer> view;
+  view->SetViewport(left, 0, right, 1);
+  view->AutomaticLightCreationOff();
+  this->Window->AddRenderer(view);
+  this->View = view;
+  return view;
+}
+
+//------------------------------------------------------------------------------
+vtkRenderer* Stage::GetView()
+{
+  return this->View ? this->View : this->AddView();
+}
+
+//------------------------------------------------------------------------------
+vtkVolume* Stage::AddVolume(vtkImageData* image, vtkVolumeProperty* medium)
+{
+  vtkNew<vtkSingleScatteringVolumeMapper> mapper;
+  mapper->SetInputData(image);
+  vtkNew<vtkVolume> volume;
+  volume->SetMapper(mapper);
+  volume->SetProperty(medium);
+  this->GetView()->AddVolume(volume);
+  return volume;
+}
+
+//------------------------------------------------------------------------------
+vtkSingleScatteringVolumeMapper* Stage::GetMapper(vtkVolume* volume)
+{
+  return vtkSingleScatteringVolumeMapper::SafeDownCast(volume->GetMapper());
+}
+
+//------------------------------------------------------------------------------
+vtkLight* Stage::AddSun(const glm::dvec3& towards, const glm::dvec3& color, double irradiance)
+{
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToSceneLight();
+  light->SetPosition(towards.x, towards.y, towards.z);
+  light->SetFocalPoint(0, 0, 0);
+  light->SetColor(color.r, color.g, color.b);
+  light->SetIntensity(irradiance);
+  this->GetView()->AddLight(light);
+  return light;
+}
+
+//------------------------------------------------------------------------------
+vtkLight* Stage::AddLamp(const glm::dvec3& place, const glm::dvec3& color, double irradiance)
+{
+  vtkLight* light = this->AddSun(place, color, irradiance);
+  light->PositionalOn();
+  light->SetConeAngle(180);
+  return light;
+}
+
+//------------------------------------------------------------------------------
+void Stage::LookFrom(const glm::dvec3& direction, double zoom)
+{
+  vtkCamera* camera = this->GetView()->GetActiveCamera();
+  camera->SetFocalPoint(0, 0, 0);
+  camera->SetPosition(direction.x, direction.y, direction.z);
+  camera->SetViewUp(0, 0, 1);
+  this->GetView()->ResetCamera();
+  camera->Zoom(zoom);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkVolumeProperty> Stage::Medium(double extinction, const glm::dvec3& albedo)
+{
+  // Straight in extinction is curved in opacity; 64 pieces follow it to better than 1 grey level.
+  constexpr int Pieces = 64;
+  constexpr double UnitDistance = 0.01;
+  vtkNew<vtkPiecewiseFunction> opacity;
+  for (int piece = 0; piece <= Pieces; ++piece)
+  {
+    const double density = piece / static_cast<double>(Pieces);
+    opacity->AddPoint(density, -std::expm1(-extinction * density * UnitDistance));
+  }
+  vtkNew<vtkColorTransferFunction> color;
+  color->AddRGBPoint(0, albedo.r, albedo.g, albedo.b);
+  color->AddRGBPoint(1, albedo.r, albedo.g, albedo.b);
+  auto medium = vtkSmartPointer<vtkVolumeProperty>::New();
+  medium->SetScalarOpacity(opacity);
+  medium->SetColor(color);
+  medium->SetScalarOpacityUnitDistance(UnitDistance);
+  medium->SetInterpolationTypeToLinear();
+  return medium;
+}
