@@ -101,6 +101,24 @@ inline double vtkMediumCellSums::IntegrateCell(
 }
 
 //------------------------------------------------------------------------------
+inline std::ptrdiff_t vtkMediumCellSums::BrickOf(const glm::dvec3& at) const
+{
+  // Truncation is right here: what is below 0 is clamped to 0 anyway.
+  const double shift = this->Linear ? 0 : 0.5;
+  const int bx = Clamp(static_cast<int>(at.x + shift), this->Dimensions.x - 1) >> BrickShift;
+  const int by = Clamp(static_cast<int>(at.y + shift), this->Dimensions.y - 1) >> BrickShift;
+  const int bz = Clamp(static_cast<int>(at.z + shift), this->Dimensions.z - 1) >> BrickShift;
+  return bx + this->Bricks.x * (by + this->Bricks.y * static_cast<std::ptrdiff_t>(bz));
+}
+
+//------------------------------------------------------------------------------
+bool vtkMediumCellSums::IsEmptyBetween(const glm::dvec3& a, const glm::dvec3& b) const
+{
+  const std::ptrdiff_t brick = this->BrickOf(a);
+  return !this->Occupied[brick] && this->BrickOf(b) == brick;
+}
+
+//------------------------------------------------------------------------------
 VTK_MEDIUM_TARGET_CLONES
 double vtkMediumCellSums::Integrate(
   const glm::dvec3& origin, const glm::dvec3& step, double first, double last) const

@@ -25,7 +25,11 @@ public:
   double Integrate(
     const glm::dvec3& origin, const glm::dvec3& step, double first, double last) const;
 
+  /// Whether two lattice coordinates are in one brick and it is empty: then so is the way between them.
+  bool IsEmptyBetween(const glm::dvec3& a, const glm::dvec3& b) const;
+
 private:
+  std::ptrdiff_t BrickOf(const glm::dvec3& at) const;
   void MarkSlab(int brickZ);
   double IntegrateCell(const int cell[3], const double from[3], const double way[3]) const;
 

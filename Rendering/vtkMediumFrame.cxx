@@ -44,7 +44,7 @@ void SetUniform(vtkShaderProgram* program, const char* name, const glm::ivec2& v
 
 //------------------------------------------------------------------------------
 std::string vtkMediumFrame::Begin(
-  vtkOpenGLRenderWindow* window, const Viewport& viewport, bool carry)
+  vtkOpenGLRenderWindow* window, const Viewport& viewport, bool carry, bool copyDepth)
 {
   this->Window = window;
   this->View = viewport;
@@ -72,19 +72,38 @@ std::string vtkMediumFrame::Begin(
       }
     }
   }
-  if (this->Depth->GetWidth() != width || this->Depth->GetHeight() != height)
-  {
-    this->Depth->ReleaseGraphicsResources(window);
-  }
-  this->Depth->SetContext(window);
-  if (!this->Depth->GetHandle())
-  {
-    this->Depth->SetMinificationFilter(vtkTextureObject::Nearest);
-    this->Depth->SetMagnificationFilter(vtkTextureObject::Nearest);
-    this->Depth->AllocateDepth(width, height, DepthBytes);
-  }
-  this->Depth->CopyFromFrameBuffer(viewport.Origin.x, viewport.Origin.y, 0, 0, width, height);
+  this->UpdateDepth(copyDepth);
   return {};
+}
+
+//------------------------------------------------------------------------------
+void vtkMediumFrame::UpdateDepth(bool copy)
+{
+  const glm::ivec2& size = this->View.Size;
+  vtkTextureObject* depth = this->Depth;
+  const bool fits = depth->GetHandle() && static_cast<int>(depth->GetWidth()) == size.x &&
+    static_cast<int>(depth->GetHeight()) == size.y;
+  if (!fits)
+  {
+    depth->ReleaseGraphicsResources(this->Window);
+    depth->SetContext(this->Window);
+    depth->SetMinificationFilter(vtkTextureObject::Nearest);
+    depth->SetMagnificationFilter(vtkTextureObject::Nearest);
+    if (copy)
+    {
+      depth->AllocateDepth(size.x, size.y, DepthBytes);
+    }
+    else
+    {
+      std::vector<float> far(static_cast<std::size_t>(size.x) * size.y, 1.0f);
+      depth->CreateDepthFromRaw(
+        size.x, size.y, vtkTextureObject::Float32, VTK_FLOAT, far.data());
+    }
+  }
+  if (copy)
+  {
+    depth->CopyFromFrameBuffer(this->View.Origin.x, this->View.Origin.y, 0, 0, size.x, size.y);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -166,7 +185,7 @@ void vtkMediumFrame::SetContentUniforms(
 
 //------------------------------------------------------------------------------
 bool vtkMediumFrame::Integrate(vtkMediumProgram& programs, vtkMediumTextures& textures,
-  const vtkMediumScene& scene, const vtkMediumPlan& plan)
+  vtkMediumAccelerator& accelerator, const vtkMediumScene& scene, const vtkMediumPlan& plan)
 {
   vtkOpenGLState* state = this->Window->GetState();
   vtkShaderProgram* program = programs.Use(this->Window, plan.ShaderFiles, plan.ShaderDefines);
@@ -197,13 +216,18 @@ bool vtkMediumFrame::Integrate(vtkMediumProgram& programs, vtkMediumTextures& te
   {
     this->ClearTargets(set);
   }
-  const glm::ivec4 seen =
-    vtkMediumPlan::FindScissor(scene.Eye, scene.Geometry, this->View.Size);
+  glm::ivec4 seen = vtkMediumPlan::FindScissor(scene.Eye, scene.Geometry, this->View.Size);
+  if (plan.UseBricks)
+  {
+    accelerator.ProjectTiles(scene, this->View.Size);
+    seen = accelerator.GetScissor();
+  }
   if (seen.z > 0 && seen.w > 0)
   {
     state->vtkglEnable(GL_SCISSOR_TEST);
     state->vtkglScissor(seen.x, seen.y, seen.z, seen.w);
     textures.Activate(program, plan);
+    accelerator.Activate(program, plan);
     this->Depth->Activate();
     program->SetUniformi("opaqueDepth", this->Depth->GetTextureUnit());
     this->SetFrameUniforms(program, scene, plan);
@@ -214,6 +238,7 @@ bool vtkMediumFrame::Integrate(vtkMediumProgram& programs, vtkMediumTextures& te
                                : this->DrawPass(programs, program, pass);
     }
     this->Depth->Deactivate();
+    accelerator.Deactivate();
     textures.Deactivate();
   }
   state->PopFramebufferBindings();

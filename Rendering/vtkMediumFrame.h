@@ -10,6 +10,7 @@
 #ifndef vtkMediumFrame_h
 #define vtkMediumFrame_h
 
+#include "vtkMediumAccelerator.h"
 #include "vtkMediumCompatibility.h"
 #include "vtkMediumPlan.h"
 #include "vtkMediumProgram.h"
@@ -61,13 +62,14 @@ public:
     double Scale = 1;   ///< 1 / (the value that is shown as 1, less that)
   };
 
-  /// Makes the targets and copies the depth of what is drawn already. Returns an empty string, or what
-  /// the device could not do.
-  std::string Begin(vtkOpenGLRenderWindow* window, const Viewport& viewport, bool carry);
+  /// Makes the targets and copies the depth of what is drawn already, or takes it that nothing is.
+  /// Returns an empty string, or what the device could not do.
+  std::string Begin(
+    vtkOpenGLRenderWindow* window, const Viewport& viewport, bool carry, bool copyDepth);
 
   /// Integrates the plan's passes into the targets. False if the program does not compile.
   bool Integrate(vtkMediumProgram& programs, vtkMediumTextures& textures,
-    const vtkMediumScene& scene, const vtkMediumPlan& plan);
+    vtkMediumAccelerator& accelerator, const vtkMediumScene& scene, const vtkMediumPlan& plan);
 
   /// Blends the result over the viewport. False if the program does not compile.
   bool Show(vtkMediumProgram& programs, const Shown& shown);
@@ -94,6 +96,7 @@ private:
     const vtkMediumPlan::Pass& pass);
   void DrawPass(vtkMediumProgram& programs, vtkShaderProgram* program,
     const vtkMediumPlan::Pass& pass);
+  void UpdateDepth(bool copy);
   void BindTargets(int set);
   void ClearTargets(int set);
 

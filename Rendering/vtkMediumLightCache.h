@@ -13,8 +13,9 @@
  * interpolation can meet them with their neighbours; elsewhere they may be 0.
  *
  * @par Memory
- * 4 bytes a lattice point are kept. While building, a directional light needs up to 5 more and point
- * lights up to 13 (the padded rows that are not empty, and 8 bytes a ray, one pyramid at a time).
+ * 4 bytes a lattice point are kept. While building, a directional light needs up to 5 more at 256^3
+ * (a padded copy of the rows that are not empty); point and spot lights need 8 bytes a ray of one
+ * pyramid, which is little. A caller that cannot afford this renders without a cache, with light rays.
  *
  * @par Prefiltering
  * A trilinear lookup of S = exp(-tau) errs by 1/8 of the sum of its second differences at most, and by

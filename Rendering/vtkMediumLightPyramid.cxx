@@ -27,15 +27,22 @@ void LagrangeWeights(float t, float weights[4])
 }
 
 //------------------------------------------------------------------------------
-// The error of the cubic through nodes -1…2 at t is estimated from six nodes: their second
-// differences around t less those further out, which is 0 for cubics and the whole jump of the slope
-// for a kink between the nodes 0 and 1. A kink at t = 1/2 is missed by 3/16 of that jump.
-float EstimateWeight(float t)
+// The error of the cubic through nodes -1…2 at t in 0…1 is estimated from six nodes -2…3, by two
+// differences that vanish for parabolas. The inner second differences less the outer ones have the
+// whole jump of the slope for a kink between the nodes 0 and 1, 3/16 of which is the error at t = 1/2;
+// third differences see a kink in the next interval, which counts for 1/16.
+float KinkWeight(float t)
 {
   return 0.75f * t * (1 - t);
 }
 
+float BendWeight(float t)
+{
+  return 0.25f * t * (1 - t);
+}
+
 const float KinkDifference[6] = { -1, 3, -2, -2, 3, -1 };
+const float BendDifference[6] = { 0, -1, 3, -3, 1, 0 };
 
 //------------------------------------------------------------------------------
 // Narrows [first, last] to where a D <= b.
@@ -265,10 +272,16 @@ void vtkMediumLightPyramid::AdvanceRow(int b, int plane)
     {
       continue;
     }
-    const double sum = plane == first
-      ? this->EnterRay(a, b, plane)
-      : this->Sums.Integrate(this->RayAt(a, b, plane - 1), this->StepOf(a, b), 0, 1);
-    depths[a] = (plane == first ? 0 : depths[a]) + static_cast<float>(lengths[a] * sum);
+    if (plane == first)
+    {
+      depths[a] = static_cast<float>(lengths[a] * this->EnterRay(a, b, plane));
+      continue;
+    }
+    const glm::dvec3 from = this->RayAt(a, b, plane - 1), step = this->StepOf(a, b);
+    if (!this->Sums.IsEmptyBetween(from, from + step))
+    {
+      depths[a] += static_cast<float>(lengths[a] * this->Sums.Integrate(from, step, 0, 1));
+    }
   }
 }
 
@@ -351,18 +364,25 @@ void vtkMediumLightPyramid::InterpolateRow(
   LagrangeWeights(fractionV, weights);
   const int begin = static_cast<int>(std::floor(this->RayIndex(this->U, first, depth))) - 2;
   const int end = static_cast<int>(std::floor(this->RayIndex(this->U, last, depth))) + 4;
-  std::vector<float> line(end - begin, 0.0f), roughness(end - begin, 0.0f);
+  std::vector<float> line(end - begin, 0.0f), kinks(end - begin, 0.0f), bends(end - begin, 0.0f);
   for (int r = 0; r < 6; ++r)
   {
     const float* depths =
       this->Depths.data() + static_cast<std::size_t>(row0 - 2 + r) * count + begin;
     const float weight = r > 0 && r < 5 ? weights[r - 1] : 0;
-    const float difference = KinkDifference[r] * EstimateWeight(fractionV);
+    const float kink = KinkDifference[r] * KinkWeight(fractionV);
+    const float bend = BendDifference[r] * BendWeight(fractionV);
     for (int a = 0; a < end - begin; ++a)
     {
       line[a] += weight * depths[a];
-      roughness[a] += difference * depths[a];
+      kinks[a] += kink * depths[a];
+      bends[a] += bend * depths[a];
     }
+  }
+  std::vector<float>& roughness = kinks; // half, for each of the two nodes around a point
+  for (int a = 0; a < end - begin; ++a)
+  {
+    roughness[a] = 0.5f * (std::abs(kinks[a]) + std::abs(bends[a]));
   }
   float* target = tau.data() + w * this->StrideW + v * this->V.Stride;
   for (int u = first; u <= last; ++u)
@@ -380,14 +400,15 @@ void vtkMediumLightPyramid::InterpolateRow(
     const float fraction = static_cast<float>(place - at);
     LagrangeWeights(fraction, weights);
     const float* node = line.data() + at - 2 - begin;
-    float value = 0, difference = 0;
+    float value = 0, kink = 0, bend = 0;
     for (int a = 0; a < 6; ++a)
     {
       value += a > 0 && a < 5 ? weights[a - 1] * node[a] : 0;
-      difference += KinkDifference[a] * node[a];
+      kink += KinkDifference[a] * node[a];
+      bend += BendDifference[a] * node[a];
     }
-    const float error = EstimateWeight(fraction) * std::abs(difference) +
-      std::max(std::abs(roughness[at - begin]), std::abs(roughness[at + 1 - begin]));
+    const float error = KinkWeight(fraction) * std::abs(kink) +
+      BendWeight(fraction) * std::abs(bend) + roughness[at - begin] + roughness[at + 1 - begin];
     if (!(error * std::exp(-std::max(value - error, 0.0f)) < this->Tolerance)) // or not a number
     {
       glm::ivec3 point;

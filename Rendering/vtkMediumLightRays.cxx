@@ -19,7 +19,7 @@ long long vtkMediumLightRays::Build(const vtkMediumExtinctionGrid& grid,
   {
     return 0;
   }
-  const vtkMediumOccupiedRows rows(grid, reach);
+  const vtkMediumOccupiedRows rows(grid, reach, false);
   const vtkMediumCellSums sums(grid);
   if (light.Type == vtkMediumScene::Light::Directional)
   {

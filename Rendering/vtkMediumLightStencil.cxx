@@ -171,7 +171,7 @@ void vtkMediumLightStencil::Apply(
   const vtkMediumExtinctionGrid& grid, int reach, std::vector<float>& tau) const
 {
   const glm::ivec3 n = grid.GetDimensions();
-  const vtkMediumOccupiedRows rows(grid, reach);
+  const vtkMediumOccupiedRows rows(grid, reach, true);
   const int count = static_cast<int>(this->Entries.size());
   std::vector<Group> groups;
   std::vector<int> shifts(count);

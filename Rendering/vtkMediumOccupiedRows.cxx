@@ -22,7 +22,8 @@ Interval Union(const Interval& a, const Interval& b)
 }
 
 //------------------------------------------------------------------------------
-vtkMediumOccupiedRows::vtkMediumOccupiedRows(const vtkMediumExtinctionGrid& grid, int reach)
+vtkMediumOccupiedRows::vtkMediumOccupiedRows(
+  const vtkMediumExtinctionGrid& grid, int reach, bool withValues)
   : RowsOfSlice(grid.GetDimensions().y)
 {
   const glm::ivec3 n = grid.GetDimensions();
@@ -45,7 +46,19 @@ vtkMediumOccupiedRows::vtkMediumOccupiedRows(const vtkMediumExtinctionGrid& grid
       }
     }
   });
+  if (withValues)
+  {
+    this->CopyRows(grid);
+  }
+  this->FindNeeded(n, reach);
+}
 
+//------------------------------------------------------------------------------
+void vtkMediumOccupiedRows::CopyRows(const vtkMediumExtinctionGrid& grid)
+{
+  const glm::ivec3 n = grid.GetDimensions();
+  const vtkIdType rows = static_cast<vtkIdType>(n.y) * n.z;
+  const float* values = grid.GetValues().data();
   this->Starts.resize(rows);
   std::size_t next = Padding;
   for (vtkIdType r = 0; r < rows; ++r)
@@ -63,7 +76,6 @@ vtkMediumOccupiedRows::vtkMediumOccupiedRows(const vtkMediumExtinctionGrid& grid
         this->Values.begin() + this->Starts[r] + interval.Begin);
     }
   });
-  this->FindNeeded(n, reach);
 }
 
 //------------------------------------------------------------------------------

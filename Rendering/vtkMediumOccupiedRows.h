@@ -26,8 +26,8 @@ public:
   };
 
   /// `reach`: how far from a value > 0, in lattice steps along each axis, points are needed;
-  /// negative: all are.
-  vtkMediumOccupiedRows(const vtkMediumExtinctionGrid& grid, int reach);
+  /// negative: all are. Rows are copied only if `withValues` is set; GetRow needs that.
+  vtkMediumOccupiedRows(const vtkMediumExtinctionGrid& grid, int reach, bool withValues);
 
   /// Where the row's values are not zero; Begin = End for an empty row.
   Interval GetOccupied(int j, int k) const { return this->Occupied[this->RowIndex(j, k)]; }
@@ -44,6 +44,7 @@ private:
   {
     return j + static_cast<std::size_t>(this->RowsOfSlice) * k;
   }
+  void CopyRows(const vtkMediumExtinctionGrid& grid);
   void FindNeeded(const glm::ivec3& n, int reach);
 
   int RowsOfSlice = 0;

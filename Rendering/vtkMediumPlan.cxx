@@ -81,6 +81,10 @@ vtkMediumPlan::vtkMediumPlan(
       return;
     }
   }
+  if (settings.Integrator == Mapper::ErrorControlled)
+  {
+    this->PlanErrorControlled(scene, settings);
+  }
   if (settings.Integrator == Mapper::Exact)
   {
     this->PlanExact(scene, device);
@@ -116,6 +120,11 @@ void vtkMediumPlan::Validate(
   {
     this->Refusal = Unfit("The transmittance threshold", settings.TransmittanceThreshold,
       "set a fraction in [0, 1), 0 to never stop early (SetTransmittanceThreshold).");
+  }
+  else if (!(settings.MaximumError > 0 && settings.MaximumError <= 1))
+  {
+    this->Refusal = Unfit("The maximum error", settings.MaximumError,
+      "set a fraction of the peak radiance in (0, 1] (SetMaximumError).");
   }
   else if (!(settings.DepthTransmittance > 0 && settings.DepthTransmittance < 1))
   {
@@ -225,12 +234,13 @@ void vtkMediumPlan::SplitIntoPasses(
 {
   const bool paper = settings.Integrator == Mapper::Paper;
   // The longest ray is the volume's diagonal, one local unit. The paper's march starts anew at each
-  // surface, which at worst doubles its steps. Binary searches are written out and loop nowhere.
+  // surface, which at worst doubles its steps. Binary searches are written out and loop nowhere. Mesa
+  // counts one or two iterations more for a loop than it makes, hence the fours.
   const int eyeSteps = static_cast<int>(std::ceil((paper ? 2 : 1) / this->EyeStep)) + 2;
-  const int lightIterations = 2 +
+  const int lightIterations = this->CachedLights > 0 ? 1 : 4 +
     static_cast<int>(std::ceil(
       paper ? 1 / this->LightStep : 1 / (this->LightStep * LightTapsPerIteration)));
-  const int eyeIterations = 2;
+  const int eyeIterations = 4;
 
   const int lights = this->Lit ? static_cast<int>(scene.Lights.size()) : 0;
   const int reserve = 64;
@@ -245,6 +255,32 @@ void vtkMediumPlan::SplitIntoPasses(
     {
       this->Passes.push_back({ first, last, step, std::min(step + steps, eyeSteps) });
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMediumPlan::PlanErrorControlled(const vtkMediumScene& scene, const Settings& settings)
+{
+  this->UseBricks = true;
+  const double voxel = scene.Geometry.VoxelLength / scene.Geometry.Length;
+  this->EyeStep = settings.ControlledStep > 0 ? settings.ControlledStep : voxel;
+  this->LightStep = this->EyeStep;
+
+  // A cache holds one grey optical depth for each lattice point, looked up trilinearly.
+  vtkTypeInt64 voxels = 0;
+  bool linear = !this->Fields.empty();
+  for (const vtkMediumField& field : this->Fields)
+  {
+    linear = linear && field.Linear;
+    const glm::ivec3& size = field.Dimensions;
+    voxels = std::max(voxels, static_cast<vtkTypeInt64>(size.x) * size.y * size.z);
+  }
+  const int lights = static_cast<int>(scene.Lights.size());
+  const vtkTypeInt64 bytes = 2 * voxels * lights;
+  if (this->Lit && linear && !scene.Content.ChromaticExtinction && lights <= MostCachedLights &&
+    bytes <= settings.LightCacheBytes)
+  {
+    this->CachedLights = lights;
   }
 }
 
@@ -321,7 +357,7 @@ void vtkMediumPlan::ChooseProgram(
   const bool exact = settings.Integrator == Mapper::Exact;
   std::ostringstream defines;
   defines << (this->Lit ? "#define LIT\n" : "");
-  defines << (exact || this->Passes.size() > 1 ? "#define CARRY_STATE\n" : "");
+  defines << (this->NeedsState() ? "#define CARRY_STATE\n" : "");
   defines << this->OutputDefines(settings);
   defines << "#define FIELD_COUNT " << this->Fields.size() << "\n";
   if (paper)
@@ -333,6 +369,14 @@ void vtkMediumPlan::ChooseProgram(
   {
     defines << vtkMediumStructure::ContentDefines(scene.Content);
     defines << "#define LIGHT_TAPS " << LightTapsPerIteration << "\n";
+  }
+  if (this->UseBricks)
+  {
+    defines << "#define TILES " << TileEdge << "\n";
+  }
+  if (this->CachedLights > 0)
+  {
+    defines << "#define LIGHT_CACHE_GROUPS " << (this->CachedLights + 3) / 4 << "\n";
   }
   if (exact)
   {
@@ -369,8 +413,10 @@ void vtkMediumPlan::ChooseShaderFiles(int integrator)
       break;
     default:
       add({ "Content" });
-      add(this->Lit ? std::initializer_list<const char*>{ "LightRay" }
-                    : std::initializer_list<const char*>{});
+      if (this->Lit)
+      {
+        add({ this->CachedLights > 0 ? "LightCache" : "LightRay" });
+      }
       add({ "InScatter", "Output", "FixedStep" });
   }
 }

@@ -34,6 +34,9 @@ public:
     bool CountTaps = false;
     int DepthDefinition = 0;
     double DepthTransmittance = 0.5;
+    double MaximumError = 1.0 / 255;
+    double ControlledStep = 0; ///< ErrorControlled: the step that was found, local units; 0: a voxel
+    vtkTypeInt64 LightCacheBytes = vtkTypeInt64(1) << 30; ///< the most that light caches may take
   };
 
   /// What the device can do.
@@ -70,6 +73,10 @@ public:
 
   /// The shortest step, as a fraction of the volume's diagonal; beyond it float adds only rounding.
   static constexpr double ShortestStep = 1.0 / 100000;
+  /// Lights that have caches; the light rays of more are marched.
+  static constexpr int MostCachedLights = 16;
+  /// Pixels along the edge of a tile.
+  static constexpr int TileEdge = 8;
   /// Exact: the difference between a part of a cell and its halves that is accepted, of the radiance.
   static constexpr double ExactTolerance = 2e-5;
   /// Exact: parts of a cell in which a field counts as linear where a function maps it.
@@ -82,6 +89,8 @@ public:
   /// Empty, or why the frame cannot be drawn right: what was found, expected, and what to do.
   std::string Refusal;
 
+  bool UseBricks = false; ///< eye rays keep to the tiles that bricks were projected to
+  int CachedLights = 0;   ///< the first so many lights have a light cache; 0: light rays are marched
   bool Lit = false;          ///< light rays are marched: there is light, and something scatters it
   double EyeStep = 0;        ///< local units
   double LightStep = 0;      ///< local units
@@ -100,6 +109,9 @@ public:
   std::vector<std::string> ShaderFiles; ///< in order, without prefix and suffix
   std::string ShaderDefines;            ///< the structural choices, as preprocessor lines
 
+  /// Whether marches are carried from draw to draw.
+  bool NeedsState() const { return this->Passes.size() > 1 || this->IterationBudget > 0; }
+
   /// Where the volume can be seen: x, y, width, height in pixels; zero size where it cannot.
   static glm::ivec4 FindScissor(const vtkMediumScene::View& eye, const vtkMediumScene::Box& box,
     const glm::ivec2& viewportSize);
@@ -108,6 +120,7 @@ private:
   void Validate(const Settings&, const Capabilities&);
   void ChooseSteps(const vtkMediumScene&, const Settings&);
   void PlanPaper(const vtkMediumScene&, const Settings&);
+  void PlanErrorControlled(const vtkMediumScene&, const Settings&);
   void PlanExact(const vtkMediumScene&, const Capabilities&);
   std::string OutputDefines(const Settings&) const;
   void SplitIntoPasses(const vtkMediumScene&, const Settings&, const Capabilities&);

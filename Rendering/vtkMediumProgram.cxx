@@ -38,14 +38,13 @@ vtkShaderProgram* vtkMediumProgram::Use(vtkOpenGLRenderWindow* window,
   {
     key += file + ' ';
   }
-  this->CompileMilliseconds = 0;
   std::unique_ptr<vtkOpenGLQuadHelper>& quad = this->Quads[key];
   if (!quad)
   {
     const double before = vtkTimerLog::GetUniversalTime();
     const std::string text = vtkMediumProgram::Assemble(files, defines);
     quad.reset(new vtkOpenGLQuadHelper(window, nullptr, text.c_str(), nullptr));
-    this->CompileMilliseconds = 1e3 * (vtkTimerLog::GetUniversalTime() - before);
+    this->CompileMilliseconds += 1e3 * (vtkTimerLog::GetUniversalTime() - before);
     ++this->Compiles;
   }
   this->Current = quad.get();

@@ -40,9 +40,11 @@ public:
   /// Draws the full viewport with the program last made current.
   void Draw();
 
-  /// Programs compiled since creation, and the milliseconds that the last Use spent on it.
+  /// Programs compiled since creation, and the milliseconds that this took since the last reset.
   int GetCompiles() const { return this->Compiles; }
   double GetCompileMilliseconds() const { return this->CompileMilliseconds; }
+
+  void ResetCompileMilliseconds() { this->CompileMilliseconds = 0; }
 
   void ReleaseGraphicsResources(vtkWindow* window);
 

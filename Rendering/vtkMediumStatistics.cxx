@@ -23,10 +23,17 @@ void vtkMediumStatistics::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Rays: " << this->Rays << "\n";
   os << indent << "GatherMilliseconds: " << this->GatherMilliseconds << "\n";
   os << indent << "UploadMilliseconds: " << this->UploadMilliseconds << "\n";
+  os << indent << "BuildMilliseconds: " << this->BuildMilliseconds << "\n";
+  os << indent << "CalibrateMilliseconds: " << this->CalibrateMilliseconds << "\n";
   os << indent << "CompileMilliseconds: " << this->CompileMilliseconds << "\n";
   os << indent << "IntegrateMilliseconds: " << this->IntegrateMilliseconds << "\n";
   os << indent << "FrameMilliseconds: " << this->FrameMilliseconds << "\n";
   os << indent << "TextureUploads: " << this->TextureUploads << "\n";
   os << indent << "ProgramCompiles: " << this->ProgramCompiles << "\n";
+  os << indent << "BricksVisited: " << this->BricksVisited << "\n";
+  os << indent << "BricksLeapt: " << this->BricksLeapt << "\n";
+  os << indent << "BrickBuilds: " << this->BrickBuilds << "\n";
+  os << indent << "LightCacheBuilds: " << this->LightCacheBuilds << "\n";
+  os << indent << "Calibrations: " << this->Calibrations << "\n";
   os << indent << "GPUBytes: " << this->GPUBytes << "\n";
 }

@@ -40,20 +40,34 @@ public:
   ///@}
 
   ///@{
+  /// Of the last frame: bricks of 8 x 8 x 8 cells that eye rays may have to enter, and bricks that are
+  /// empty and were leapt; both 0 in integrators without bricks.
+  vtkGetMacro(BricksVisited, vtkTypeInt64);
+  vtkGetMacro(BricksLeapt, vtkTypeInt64);
+  ///@}
+
+  ///@{
   /// Of the last frame, wall-clock milliseconds: gathering facts and deciding; uploading textures;
-  /// compiling programs; integrating, up to the driver's completion; the whole of Render.
+  /// building bricks and light caches; finding the step; compiling programs; integrating, up to the
+  /// driver's completion; the whole of Render.
   vtkGetMacro(GatherMilliseconds, double);
   vtkGetMacro(UploadMilliseconds, double);
+  vtkGetMacro(BuildMilliseconds, double);
+  vtkGetMacro(CalibrateMilliseconds, double);
   vtkGetMacro(CompileMilliseconds, double);
   vtkGetMacro(IntegrateMilliseconds, double);
   vtkGetMacro(FrameMilliseconds, double);
   ///@}
 
   ///@{
-  /// Since creation: frames drawn, textures uploaded, programs compiled.
+  /// Since creation: frames drawn, textures uploaded (not counting the lights' few numbers), programs
+  /// compiled, bricks built for an extinction, light caches built, and steps found from probe pixels.
   vtkGetMacro(Frames, vtkTypeInt64);
   vtkGetMacro(TextureUploads, vtkTypeInt64);
   vtkGetMacro(ProgramCompiles, vtkTypeInt64);
+  vtkGetMacro(BrickBuilds, vtkTypeInt64);
+  vtkGetMacro(LightCacheBuilds, vtkTypeInt64);
+  vtkGetMacro(Calibrations, vtkTypeInt64);
   ///@}
 
   /// Bytes of textures and framebuffers held on the device now.
@@ -64,6 +78,7 @@ protected:
   ~vtkMediumStatistics() override;
 
 private:
+  friend class vtkMediumRenderer;
   friend class vtkSingleScatteringVolumeMapper;
 
   bool CountTaps = false;
@@ -72,12 +87,19 @@ private:
   vtkTypeInt64 Passes = 0;
   double GatherMilliseconds = 0;
   double UploadMilliseconds = 0;
+  double BuildMilliseconds = 0;
+  double CalibrateMilliseconds = 0;
   double CompileMilliseconds = 0;
   double IntegrateMilliseconds = 0;
   double FrameMilliseconds = 0;
   vtkTypeInt64 Frames = 0;
   vtkTypeInt64 TextureUploads = 0;
   vtkTypeInt64 ProgramCompiles = 0;
+  vtkTypeInt64 BricksVisited = 0;
+  vtkTypeInt64 BricksLeapt = 0;
+  vtkTypeInt64 BrickBuilds = 0;
+  vtkTypeInt64 LightCacheBuilds = 0;
+  vtkTypeInt64 Calibrations = 0;
   vtkTypeInt64 GPUBytes = 0;
 
   vtkMediumStatistics(const vtkMediumStatistics&) = delete;

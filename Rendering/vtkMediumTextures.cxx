@@ -162,6 +162,7 @@ void vtkMediumTextures::UpdateLights(const std::vector<vtkMediumScene::Light>& l
   }
   this->UploadTable(
     this->LightTable, TexelsPerLight, static_cast<int>(lights.size()), 4, texels, false);
+  --this->Uploads; // a light's numbers are no upload worth counting: a headlight's change every frame
   this->LightTexels = texels;
 }
 

@@ -35,6 +35,7 @@
  * | --- | --- | --- |
  * | Paper | the algorithm of Han, Ki and Oh (GPU Ray Marching for Real-Time Rendering of Participating Media): a homogeneous medium fills the voxels at or above a threshold; linear then binary search finds its surface; left Riemann sums | 1 |
  * | FixedStep | any medium; nested midpoint marching with a closed form in each segment | 2 |
+ * | ErrorControlled | any medium; the longest step that keeps MaximumError, found from probe pixels; bricks and light caches | 2 |
  * | Exact | any medium; cell by cell on eye and light rays, refined until it agrees with itself; slow | – |
  *
  * @sa vtkParticipatingMedium vtkSingleScatteringReference vtkMediumStatistics
@@ -54,6 +55,7 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
 class vtkWindow;
 VTK_ABI_NAMESPACE_END
+class vtkMediumRenderer;
 class vtkMediumStatistics;
 class vtkParticipatingMedium;
 
@@ -69,6 +71,7 @@ public:
   {
     Paper,
     FixedStep,
+    ErrorControlled,
     Exact,
   };
 
@@ -125,8 +128,21 @@ public:
   vtkGetMacro(Integrator, int);
   void SetIntegratorToPaper() { this->SetIntegrator(Paper); }
   void SetIntegratorToFixedStep() { this->SetIntegrator(FixedStep); }
+  void SetIntegratorToErrorControlled() { this->SetIntegrator(ErrorControlled); }
   void SetIntegratorToExact() { this->SetIntegrator(Exact); }
   ///@}
+
+  ///@{
+  /// ErrorControlled: the largest error of any pixel, as a fraction of the image's peak radiance, that
+  /// the step is chosen for. It is met by estimate, not by proof; see GetEstimatedError. In (0, 1], else
+  /// an error at the next Render. Default: 1/255.
+  vtkSetMacro(MaximumError, double);
+  vtkGetMacro(MaximumError, double);
+  ///@}
+
+  /// The largest error that the last ErrorControlled frame was estimated to have, as a fraction of the
+  /// image's peak radiance; -1 in other integrators.
+  double GetEstimatedError();
 
   ///@{
   /// Longest step along eye rays, and along light rays, in world units. 0 (default) means: one voxel,
@@ -247,10 +263,15 @@ private:
   vtkSingleScatteringVolumeMapper(const vtkSingleScatteringVolumeMapper&) = delete;
   void operator=(const vtkSingleScatteringVolumeMapper&) = delete;
 
+  // Each returns an empty string, or why the frame cannot be drawn right.
+  std::string Draw(vtkRenderer* renderer, vtkVolume* volume);
+  std::string CheckContract();
+
   vtkSmartPointer<vtkParticipatingMedium> Medium;
   double Anisotropy = 0;
   int PhaseFunction = HenyeyGreenstein;
   int Integrator = FixedStep;
+  double MaximumError = 1.0 / 255;
   double SampleDistance = 0;
   double LightSampleDistance = 0;
   int BinarySearchIterations = 5;
@@ -264,8 +285,7 @@ private:
   bool RenderToImage = false;
 
   vtkSmartPointer<vtkMediumStatistics> Statistics;
-  struct Internals;
-  std::unique_ptr<Internals> Resources;
+  std::unique_ptr<vtkMediumRenderer> Drawing;
   std::string LastRefusal;
 };
 

@@ -95,6 +95,7 @@ int main(int argc, char* argv[])
     std::cerr << "CT: " << error.what() << "\n";
     return 2;
   }
+  mapper->SetIntegratorToFixedStep();
   mapper->SetSampleDistance(options.Step);
   mapper->SetLightSampleDistance(2 * options.Step);
 
@@ -114,6 +115,7 @@ int main(int argc, char* argv[])
   camera->Elevation(8);
   renderer->ResetCamera();
   camera->Zoom(1.55);
+  camera->SetWindowCenter(0, -0.12); // a head is in the lower half of its scan
   vtkNew<vtkRenderWindow> window;
   window->SetSize(options.Size, options.Size);
   window->AddRenderer(renderer);

@@ -43,6 +43,7 @@ def light(position, colour, irradiance):
 try:
     mapper = vtkSingleScatteringVolumeMapper()
     mapper.SetInputData(read_volume(options.volume) if options.volume else read_cranium())
+    mapper.SetIntegratorToFixedStep()
     mapper.SetSampleDistance(options.step)
     mapper.SetLightSampleDistance(2 * options.step)
     volume = vtkVolume()
@@ -62,6 +63,7 @@ try:
     camera.Elevation(8)
     renderer.ResetCamera()
     camera.Zoom(1.55)
+    camera.SetWindowCenter(0, -0.12)  # a head is in the lower half of its scan
     window = vtkRenderWindow()
     window.SetSize(options.size, options.size)
     window.AddRenderer(renderer)

@@ -31,7 +31,7 @@ def faults(image, left: int, right: int) -> list[str]:
     texels = [scalars.GetTuple(i) for i in range(scalars.GetNumberOfTuples())]
     seen = sum(max(texel) > 12 for texel in texels) / len(texels)
     clipped = sum(max(texel) >= 255 for texel in texels) / len(texels)
-    levels = len({round(texel[1]) for texel in texels})
+    levels = len({round(max(texel)) for texel in texels})
     found = []
     if seen < SUBJECT:
         found.append(f"{seen:.1%} of it is not black, expected at least {SUBJECT:.0%}")

@@ -41,6 +41,8 @@ if(SKBUILD)
   return()
 endif()
 
+# Installed, the libraries find each other, wherever the install tree is moved to.
+set(CMAKE_INSTALL_RPATH "$ORIGIN")
 vtk_module_build(
   MODULES ${participating_media_modules}
   PACKAGE ParticipatingMedia
@@ -54,6 +56,9 @@ vtk_module_build(
 if(PARTICIPATING_MEDIA_WRAP_PYTHON)
   find_package(Python3 REQUIRED COMPONENTS Interpreter Development.Module)
   vtk_module_python_default_destination(participating_media_python_destination)
+  file(RELATIVE_PATH participating_media_libraries
+    "/${participating_media_python_destination}/participating_media" "/${CMAKE_INSTALL_LIBDIR}")
+  set(CMAKE_INSTALL_RPATH "$ORIGIN/${participating_media_libraries}")
   vtk_module_wrap_python(
     MODULES ${participating_media_modules}
     PYTHON_PACKAGE participating_media
@@ -63,7 +68,8 @@ if(PARTICIPATING_MEDIA_WRAP_PYTHON)
     BUILD_STATIC OFF)
   set(PARTICIPATING_MEDIA_PYTHONPATH "${CMAKE_BINARY_DIR}/${participating_media_python_destination}")
   file(GLOB participating_media_python_sources CONFIGURE_DEPENDS
-    "${CMAKE_CURRENT_SOURCE_DIR}/Module/Python/participating_media/*.py")
+    "${CMAKE_CURRENT_SOURCE_DIR}/Module/Python/participating_media/*.py"
+    "${CMAKE_CURRENT_SOURCE_DIR}/Module/Python/participating_media/py.typed")
   foreach(source IN LISTS participating_media_python_sources)
     get_filename_component(name "${source}" NAME)
     configure_file("${source}"

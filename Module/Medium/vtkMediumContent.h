@@ -4,7 +4,8 @@
  * @file vtkMediumContent.h
  * @brief How a volume property, or a vtkParticipatingMedium, becomes the content of a scene.
  *
- * Private to the module. Each function returns an empty string, or what was wrong and how to fix it.
+ * Private to the module. Each function returns an empty string, or what was wrong and how to fix
+ * it.
  */
 #ifndef vtkMediumContent_h
 #define vtkMediumContent_h
@@ -36,10 +37,14 @@ std::string vtkMediumContentFromMedium(vtkMediumScene::Medium& content, vtkImage
 std::string vtkMediumPhaseFromMedium(
   vtkMediumScene::Medium& content, vtkParticipatingMedium* medium);
 
-/// A field over a named or given array, of the components that the field states; fails on an array of
-/// the wrong length or without any finite value.
+/// A field over a named or given array, of the components that the field states; fails on an array
+/// of the wrong length or without any finite value.
 std::string vtkMediumFieldFromArray(vtkMediumField& field, vtkImageData* input, vtkDataArray* array,
   bool onCells, vtkVolumeProperty* property);
+
+/// The colours of a transfer function at `count` equally spaced values of [minimum, maximum].
+std::vector<glm::dvec3> vtkMediumSampleColors(
+  vtkColorTransferFunction* function, double minimum, double maximum, int count);
 
 ///@{
 /// Appends the values where a transfer function is not smooth: its nodes, and the midpoints between

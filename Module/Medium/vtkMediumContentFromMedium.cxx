@@ -61,30 +61,10 @@ std::string CheckRange(const Law& law, const std::string& what, double minimum, 
 }
 
 //------------------------------------------------------------------------------
-/// Turns the sources of a medium into coefficients, with one field for each array, and one table for
-/// two functions of the same field where one fills the colour and the other the alpha channel.
-class Lowering
+/// Turns the sources of a medium into coefficients, with one field for each array, and one table
+/// for two functions of the same field where one fills the colour and the other the alpha channel.
+struct Lowering
 {
-public:
-  Lowering(vtkMediumScene::Medium& content, vtkImageData* input, vtkDataArray* scalars, bool onCells,
-    vtkVolumeProperty* property)
-    : Content(content)
-    , Input(input)
-    , Scalars(scalars)
-    , OnCells(onCells)
-    , Property(property)
-  {
-  }
-
-  std::string Lower(Coefficient& result, const Law& law, const Source& source);
-
-private:
-  std::string FindArray(const Law& law, const Source& source, vtkDataArray*& array, bool& onCells);
-  std::string FindField(vtkDataArray* array, bool onCells, int first, int components, int& index);
-  std::string LowerField(Coefficient& result, const Law& law, const Source& source);
-  std::string LowerFunction(Coefficient& result, const Law& law, const Source& source);
-  int FindTable(int field, bool alpha);
-
   vtkMediumScene::Medium& Content;
   vtkImageData* Input;
   vtkDataArray* Scalars;
@@ -98,6 +78,13 @@ private:
     std::vector<double> Knots;
   };
   std::vector<Table> Tables; ///< of Content.Functions
+
+  std::string Lower(Coefficient& result, const Law& law, const Source& source);
+  std::string LowerField(Coefficient& result, const Law& law, const Source& source);
+  std::string LowerFunction(Coefficient& result, const Law& law, const Source& source);
+  std::string FindArray(const Law& law, const Source& source, vtkDataArray*& array, bool& onCells);
+  std::string FindField(vtkDataArray* array, bool onCells, int first, int components, int& index);
+  int FindTable(int field, bool alpha);
 };
 
 //------------------------------------------------------------------------------
@@ -147,9 +134,9 @@ std::string Lowering::FindArray(
   if (!array)
   {
     problem << "The medium's " << law.Name << " is to come from "
-            << (source.ArrayName.empty() ? "the scalars, but the image has no active scalars"
-                                         : "the array \"" + source.ArrayName +
-                     "\", which the image does not have")
+            << (source.ArrayName.empty()
+                   ? "the scalars, but the image has no active scalars"
+                   : "the array \"" + source.ArrayName + "\", which the image does not have")
             << "; it has " << ListArrays(this->Input) << ". Name one of them.";
     return problem.str();
   }
@@ -162,8 +149,8 @@ std::string Lowering::FindArray(
   else if (source.Component < -1 || source.Component >= components)
   {
     problem << "The medium's " << law.Name << "Component is " << source.Component << ", but its"
-            << Quoted(array) << " has " << components << " components; set -1 to "
-            << components - 1 << ".";
+            << Quoted(array) << " has " << components << " components; set -1 to " << components - 1
+            << ".";
   }
   else if (!law.MayBeColor && source.Component < 0 && components > 1)
   {
@@ -189,8 +176,7 @@ std::string Lowering::FindField(
   vtkMediumField field;
   field.FirstComponent = first;
   field.Components = components;
-  std::string problem =
-    vtkMediumFieldFromArray(field, this->Input, array, onCells, this->Property);
+  std::string problem = vtkMediumFieldFromArray(field, this->Input, array, onCells, this->Property);
   if (problem.empty())
   {
     this->Content.Fields.push_back(field);
@@ -222,8 +208,8 @@ std::string Lowering::LowerField(Coefficient& result, const Law& law, const Sour
     const int read = components == 1 ? 0 : result.Component < 0 ? c : result.Component;
     double range[2];
     array->GetFiniteRange(range, read);
-    problem = CheckRange(
-      law, Quoted(array) + " (times its scale)", range[0] * result.Scale[c], range[1] * result.Scale[c]);
+    problem = CheckRange(law, Quoted(array) + " (times its scale)", range[0] * result.Scale[c],
+      range[1] * result.Scale[c]);
   }
   return problem;
 }
@@ -274,12 +260,18 @@ std::string Lowering::LowerFunction(Coefficient& result, const Law& law, const S
   const vtkMediumField& field = this->Content.Fields[result.FieldIndex];
   vtkMediumFunction& function = this->Content.Functions[result.FunctionIndex];
   const vtkMediumFunction other = function;
+  std::vector<glm::dvec3> colors;
+  if (source.ColorFunction)
+  {
+    colors = vtkMediumSampleColors(
+      source.ColorFunction, field.Minimum, field.Maximum, vtkMediumFunction::DefaultIntervals + 1);
+  }
+  std::size_t index = 0; // the values come in ascending order
   std::string invalid;
   function.Sample(field.Minimum, field.Maximum, table.Knots, [&](double value) {
     glm::dvec4 sample = other.GetSamples().empty() ? glm::dvec4(0) : other.Evaluate(value);
-    glm::dvec3 rgb;
-    source.ColorFunction ? source.ColorFunction->GetColor(value, &rgb[0])
-                         : void(rgb = glm::dvec3(source.Function->GetValue(value)));
+    const glm::dvec3 rgb =
+      source.ColorFunction ? colors[index++] : glm::dvec3(source.Function->GetValue(value));
     for (int c = 0; c < 3; ++c)
     {
       (alpha ? sample[3] : sample[c]) = rgb[c];
@@ -321,7 +313,7 @@ std::string Lowering::Lower(Coefficient& result, const Law& law, const Source& s
       return problem.str();
     }
   }
-  return isFunction ? this->LowerFunction(result, law, source)
+  return isFunction   ? this->LowerFunction(result, law, source)
     : source.HasArray ? this->LowerField(result, law, source)
                       : std::string();
 }
@@ -372,7 +364,7 @@ std::string vtkMediumContentFromMedium(vtkMediumScene::Medium& content, vtkImage
   content.DensityScale = medium->GetDensityScale() / medium->GetLengthUnit();
 
   const bool absorption = content.ExtinctionIsAbsorption;
-  Lowering lowering(content, input, scalars, onCells, property);
+  Lowering lowering{ content, input, scalars, onCells, property, {} };
   std::string problem = CheckUnits(medium);
   const auto lower = [&](Coefficient& result, const Law& law, M::Coefficients coefficient) {
     if (problem.empty())

@@ -7,6 +7,8 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkVolumeProperty.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -35,17 +37,13 @@ vtkMediumFunction SampleProperty(vtkVolumeProperty* property, double minimum, do
   vtkMediumAppendKnots(knots, opacity);
   grey ? vtkMediumAppendKnots(knots, greyAlbedo) : vtkMediumAppendKnots(knots, albedo);
 
+  const std::vector<glm::dvec3> colors = grey
+    ? std::vector<glm::dvec3>()
+    : vtkMediumSampleColors(albedo, minimum, maximum, vtkMediumFunction::DefaultIntervals + 1);
+  std::size_t index = 0; // the values come in ascending order
   vtkMediumFunction function;
   function.Sample(minimum, maximum, knots, [&](double value) {
-    glm::dvec3 rgb;
-    if (grey)
-    {
-      rgb = glm::dvec3(greyAlbedo->GetValue(value));
-    }
-    else
-    {
-      albedo->GetColor(value, &rgb[0]);
-    }
+    const glm::dvec3 rgb = grey ? glm::dvec3(greyAlbedo->GetValue(value)) : colors[index++];
     return glm::dvec4(rgb, Extinction(opacity->GetValue(value), unit));
   });
   return function;
@@ -100,6 +98,48 @@ void AppendKnots(std::vector<double>& knots, Function* function, int midpoint)
 }
 
 //------------------------------------------------------------------------------
+// VTK is asked for each colour by itself: its tables (9.1) are black where a value meets the first
+// node, and are spaced logarithmically on a logarithmic scale. CIEDE2000 is the exception: it
+// searches a path through the colour space for 30 ms at each call, so its colours are looked up in
+// one dense table.
+std::vector<glm::dvec3> vtkMediumSampleColors(
+  vtkColorTransferFunction* function, double minimum, double maximum, int count)
+{
+  std::vector<glm::dvec3> colors(count), table;
+  const double first = function->GetRange()[0], last = function->GetRange()[1];
+  if (function->GetColorSpace() == VTK_CTF_LAB_CIEDE2000 && last > first)
+  {
+    table.resize(16 * count); // its intervals are a sixteenth of ours or less
+    function->GetTable(first, last, static_cast<int>(table.size()), &table[0][0]);
+  }
+  glm::dvec3 below, above;
+  function->GetColor(minimum, &below[0]);
+  function->GetColor(maximum, &above[0]);
+  const bool logarithmic = function->GetScale() == VTK_CTF_LOG10 && first > 0;
+  for (int i = 0; i < count; ++i)
+  {
+    const double value = minimum + (maximum - minimum) * i / (count - 1);
+    if (table.empty())
+    {
+      function->GetColor(value, &colors[i][0]);
+    }
+    else if (value < first || value > last)
+    {
+      colors[i] = value < first ? below : above;
+    }
+    else
+    {
+      const double fraction = logarithmic ? std::log(value / first) / std::log(last / first)
+                                          : (value - first) / (last - first);
+      const double position = fraction * (table.size() - 1);
+      const std::size_t index = std::min(static_cast<std::size_t>(position), table.size() - 2);
+      colors[i] = glm::mix(table[index], table[index + 1], position - index);
+    }
+  }
+  return colors;
+}
+
+//------------------------------------------------------------------------------
 void vtkMediumAppendKnots(std::vector<double>& knots, vtkPiecewiseFunction* function)
 {
   AppendKnots(knots, function, 2); // (value, y, midpoint, sharpness)
@@ -133,7 +173,8 @@ std::string vtkMediumFieldFromArray(vtkMediumField& field, vtkImageData* input, 
   if (array->GetNumberOfTuples() != expected)
   {
     problem << "The array " << name << " has " << array->GetNumberOfTuples()
-            << " tuples, but the image has " << expected << (onCells ? " cells" : " points") << "; give one tuple for each.";
+            << " tuples, but the image has " << expected << (onCells ? " cells" : " points")
+            << "; give one tuple for each.";
   }
   else if (!field.FindRange())
   {
@@ -162,9 +203,10 @@ std::string vtkMediumContentFromProperty(vtkMediumScene::Medium& content, vtkIma
   }
   if (scalars->GetNumberOfComponents() != 1)
   {
-    problem << "The scalars have " << scalars->GetNumberOfComponents()
-            << " components, but a volume property maps one; pick an array of one component, or set "
-               "a vtkParticipatingMedium.";
+    problem
+      << "The scalars have " << scalars->GetNumberOfComponents()
+      << " components, but a volume property maps one; pick an array of one component, or set "
+         "a vtkParticipatingMedium.";
     return problem.str();
   }
 

@@ -5,9 +5,9 @@
  * @brief The formulas of the shaders, compiled as C++ in float and in double.
  *
  * The files in Formulas/ are written in the common subset of GLSL and C++ with GLM: `real` is the
- * number type, `vec2`, `vec3` and `vec4` are its vectors, `uint` has 32 bits, and every literal that
- * meets a `real` is wrapped in `real(...)` so that float stays float. Tests hold these texts to plain
- * definitions; the shaders compile the very same text.
+ * number type, `vec2`, `vec3` and `vec4` are its vectors, `uint` has 32 bits, and every literal
+ * that meets a `real` is wrapped in `real(...)` so that float stays float. Tests hold these texts
+ * to plain definitions; the shaders compile the very same text.
  */
 #ifndef vtkMediumFormulas_h
 #define vtkMediumFormulas_h

@@ -27,8 +27,9 @@ std::string CheckNumber(const char* name, double value, double minimum, double m
   if (!(value >= minimum && value <= maximum) || !std::isfinite(value))
   {
     problem << "The medium's " << name << " is " << value << "; set a finite number ";
-    maximum < std::numeric_limits<double>::max() ? problem << "from " << minimum << " to " << maximum
-                                                 : problem << ">= " << minimum;
+    maximum < std::numeric_limits<double>::max()
+      ? problem << "from " << minimum << " to " << maximum
+      : problem << ">= " << minimum;
     problem << ".";
   }
   return problem.str();
@@ -92,14 +93,14 @@ std::string vtkMediumPhaseFromMedium(
   {
     case vtkMediumScene::DoubleHenyeyGreenstein:
       problem = CheckNumber("BackAnisotropy", medium->GetBackAnisotropy(), -1, 1);
-      problem = !problem.empty() ? problem
-                                 : CheckNumber("ForwardWeight", medium->GetForwardWeight(), 0, 1);
+      problem =
+        !problem.empty() ? problem : CheckNumber("ForwardWeight", medium->GetForwardWeight(), 0, 1);
       content.BackAnisotropy = medium->GetBackAnisotropy();
       content.ForwardWeight = medium->GetForwardWeight();
       break;
     case vtkMediumScene::Draine:
-      problem = CheckNumber("DraineAlpha", medium->GetDraineAlpha(), 0,
-        std::numeric_limits<double>::max());
+      problem =
+        CheckNumber("DraineAlpha", medium->GetDraineAlpha(), 0, std::numeric_limits<double>::max());
       content.DraineAlpha = medium->GetDraineAlpha();
       break;
     case vtkMediumScene::Droplets:

@@ -12,7 +12,8 @@
  * - local: parallel to world, origin at the centre of the volume, scaled so that the longest
  *   diagonal of the volume is 1. Angles and ratios of lengths are those of the world, whatever the
  *   spacing, the direction matrix and the volume's own matrix are, and float suffices;
- * - box: the unit cube that the image's bounds make, (0,0,0) at the first point, (1,1,1) at the last.
+ * - box: the unit cube that the image's bounds make, (0,0,0) at the first point, (1,1,1) at the
+ *   last.
  */
 #ifndef vtkMediumScene_h
 #define vtkMediumScene_h
@@ -180,10 +181,11 @@ public:
   std::string GatherVolume(vtkImageData* input, vtkDataArray* scalars, bool onCells,
     vtkVolume* volume, vtkParticipatingMedium* medium, double anisotropy);
 
-  /// Gathers the lights of the renderer that are switched on; where none is and the renderer creates
-  /// lights automatically, its headlight. Head- and camera lights stand where the renderer's camera is
-  /// now. Only the diffuse colour lights a medium: ambient and specular colours, and the renderer's
-  /// ambient light, are ignored. A cone of 90 degrees or more is no spot. After GatherVolume.
+  /// Gathers the lights of the renderer that are switched on; where none is and the renderer
+  /// creates lights automatically, its headlight. Head- and camera lights stand where the
+  /// renderer's camera is now. Only the diffuse colour lights a medium: ambient and specular
+  /// colours, and the renderer's ambient light, are ignored. A cone of 90 degrees or more is no
+  /// spot. After GatherVolume.
   std::string GatherLights(vtkRenderer* renderer);
 
   /// Takes the eye rays from a world-to-clip matrix (OpenGL's clip space, column vectors).

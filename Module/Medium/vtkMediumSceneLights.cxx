@@ -19,7 +19,8 @@
 namespace
 {
 //------------------------------------------------------------------------------
-// The lights that are on; where there is none, the headlight that the renderer makes when it renders.
+// The lights that are on; where there is none, the headlight that the renderer makes when it
+// renders.
 std::vector<vtkSmartPointer<vtkLight>> FindLights(vtkRenderer* renderer)
 {
   std::vector<vtkSmartPointer<vtkLight>> result;
@@ -52,8 +53,8 @@ glm::dvec3 Transform(vtkMatrix4x4* matrix, const glm::dvec3& point)
 }
 
 //------------------------------------------------------------------------------
-// World position and focal point. A renderer moves head- and camera lights with its camera only when
-// it renders, so their place is computed from the camera of now.
+// World position and focal point. A renderer moves head- and camera lights with its camera only
+// when it renders, so their place is computed from the camera of now.
 void FindPose(vtkRenderer* renderer, vtkLight* light, glm::dvec3& position, glm::dvec3& focus)
 {
   vtkCamera* camera = renderer->GetLightFollowCamera() && renderer->IsActiveCameraCreated()
@@ -91,8 +92,8 @@ std::ostream& operator<<(std::ostream& out, const glm::dvec3& v)
 }
 
 //------------------------------------------------------------------------------
-std::string CheckLight(const vtkMediumScene::Light& light, const glm::dvec3& position,
-  const glm::dvec3& focus)
+std::string CheckLight(
+  const vtkMediumScene::Light& light, const glm::dvec3& position, const glm::dvec3& focus)
 {
   using Light = vtkMediumScene::Light;
   const glm::dvec3& E = light.Irradiance;

@@ -199,8 +199,9 @@ void vtkParticipatingMedium::PrintSelf(ostream& os, vtkIndent indent)
     os << indent << names[i] << ": (" << source.Value[0] << ", " << source.Value[1] << ", "
        << source.Value[2] << ")\n";
     os << indent << names[i] << "ArrayName: "
-       << (!source.HasArray ? "(none)" : source.ArrayName.empty() ? "(the scalars)"
-                                                                  : source.ArrayName.c_str())
+       << (!source.HasArray              ? "(none)"
+              : source.ArrayName.empty() ? "(the scalars)"
+                                         : source.ArrayName.c_str())
        << "\n";
     os << indent << names[i] << "Component: " << source.Component << "\n";
     os << indent << names[i] << "Scale: (" << source.Scale[0] << ", " << source.Scale[1] << ", "

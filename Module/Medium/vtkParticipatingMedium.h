@@ -5,21 +5,22 @@
  * @brief What fills a volume: extinction, albedo, emission and phase function, in physical units.
  *
  * A medium weakens light by its extinction sigma_t = sigma_a + sigma_s, of which the albedo
- * sigma_s / sigma_t is scattered and the rest absorbed; it may glow by itself; and its phase function
- * says where scattered light goes. It is stated either as extinction and albedo (the default), or as
- * absorption and scattering; the other two coefficients are then not looked at.
+ * sigma_s / sigma_t is scattered and the rest absorbed; it may glow by itself; and its phase
+ * function says where scattered light goes. It is stated either as extinction and albedo (the
+ * default), or as absorption and scattering; the other two coefficients are then not looked at.
  *
  * With nothing set, the medium is homogeneous: extinction 1, albedo 1, no emission, isotropic. Only
- * where an array is named does the input image matter.
+ * where an array is named or a function is set do the arrays of the input image matter.
  *
  * @par Coefficients
  * Extinction, Absorption, Scattering, Albedo and Emission (X below) are each one of
  * - a constant, grey or RGB: SetX;
- * - an array of the image, times XScale: SetXArrayName. The name is looked up in the point data, then
- *   in the cell data; the empty name "" is the scalars that the mapper has chosen; NULL (None in
- *   Python, the default) goes back to the constant;
- * - a transfer function of one component of that array, or of the scalars where none is named, times
- *   XScale: SetXFunction (grey) or SetXColorFunction (RGB). Setting one of the two clears the other.
+ * - an array of the image, times XScale: SetXArrayName. The name is looked up in the point data,
+ *   then in the cell data; the empty name "" is the scalars that the mapper has chosen; NULL (None
+ *   in Python, the default) goes back to the constant;
+ * - a transfer function of one component of that array, or of the scalars where none is named,
+ *   times XScale: SetXFunction (grey) or SetXColorFunction (RGB). Setting one of the two clears the
+ *   other.
  *
  * @par Components
  * An array has 1 to 4 components. With XComponent at -1 (the default) they mean what they mean to a
@@ -31,8 +32,8 @@
  * | 3 | RGB | RGB |
  * | 4 | RGB, from the first three | grey, from the fourth |
  *
- * XComponent from 0 on picks one component as a grey value. A function reads one component: XComponent,
- * or the first (Extinction and Absorption: the last).
+ * XComponent from 0 on picks one component as a grey value. A function reads one component:
+ * XComponent, or the first (Extinction and Absorption: the last).
  *
  * @par Units
  * | quantity | unit | range |
@@ -42,9 +43,9 @@
  * | Emission | radiance / length unit | >= 0 |
  * | Anisotropy | 1 | -1 to 1; beyond +-0.999 taken as +-0.999 |
  *
- * The length unit is LengthUnit world units long, so in an image in millimetres a LengthUnit of 1000
- * makes the coefficients those per metre. DensityScale multiplies extinction, absorption, scattering
- * and emission.
+ * The length unit is LengthUnit world units long, so in an image in millimetres a LengthUnit of
+ * 1000 makes the coefficients those per metre. DensityScale multiplies extinction, absorption,
+ * scattering and emission.
  *
  * Values are checked when the medium is rendered. A value out of range, a NaN, a missing array or a
  * wrong number of components is reported in one error that names it, and nothing is drawn.
@@ -231,7 +232,8 @@ public:
   };
 
   ///@{
-  /// The phase function. Default: HenyeyGreenstein, which is isotropic at the default Anisotropy, 0.
+  /// The phase function. Default: HenyeyGreenstein, which is isotropic at the default Anisotropy,
+  /// 0.
   vtkSetClampMacro(PhaseFunction, int, Isotropic, SchlickK);
   vtkGetMacro(PhaseFunction, int);
   void SetPhaseFunctionToIsotropic() { this->SetPhaseFunction(Isotropic); }
@@ -306,7 +308,10 @@ public:
     NumberOfCoefficients,
   };
 
-  const Source& GetSource(Coefficients coefficient) const { return this->Sources[coefficient]; }
+  const Source& GetSource(Coefficients coefficient) const
+  {
+    return this->Sources[coefficient];
+  }
 #endif
 
 protected:

@@ -145,7 +145,7 @@ vtkMTimeType vtkSingleScatteringReference::GetMTime()
   if (this->Renderer)
   {
     include(this->Renderer);
-    include(this->Renderer->GetActiveCamera());
+    include(this->Renderer->IsActiveCameraCreated() ? this->Renderer->GetActiveCamera() : nullptr);
     vtkLightCollection* lights = this->Renderer->GetLights();
     include(lights);
     vtkCollectionSimpleIterator iterator;
@@ -209,20 +209,11 @@ std::string vtkSingleScatteringReference::GatherMedium()
 //------------------------------------------------------------------------------
 std::string vtkSingleScatteringReference::GatherLights()
 {
-  vtkRenderer* renderer = this->Renderer;
-  if (!renderer)
+  if (!this->Renderer)
   {
     return "There is no renderer to take lights and camera from; call SetRenderer.";
   }
-  if (renderer->GetLights()->GetNumberOfItems() == 0 && renderer->GetAutomaticLightCreation())
-  {
-    renderer->CreateLight();
-  }
-  if (renderer->GetLightFollowCamera())
-  {
-    renderer->UpdateLightsGeometryToFollowCamera();
-  }
-  return this->Scene->Facts.GatherLights(renderer);
+  return this->Scene->Facts.GatherLights(this->Renderer);
 }
 
 //------------------------------------------------------------------------------

@@ -82,9 +82,9 @@ public:
   ///@}
 
   ///@{
-  /// Its lights and, for images, its active camera are used. As a render would, a renderer without
-  /// lights gets a headlight (unless AutomaticLightCreation is off), and headlights and camera lights
-  /// follow the camera (unless LightFollowCamera is off). Needed for radiance, not for optical depth.
+  /// Its lights and, for images, its active camera are used. As in a render, a renderer without lights
+  /// has a headlight (unless AutomaticLightCreation is off), and head- and camera lights stand where
+  /// the camera is now (unless LightFollowCamera is off). Needed for radiance, not for optical depth.
   void SetRenderer(vtkRenderer* renderer);
   vtkRenderer* GetRenderer();
   ///@}

@@ -35,7 +35,7 @@ SPECTRUM exactCellDepth(vec3 start, vec3 along, float a, float b)
 int exactIterations = 0; // loop iterations that this draw has spent on light rays
 
 // From a point to a light.
-SPECTRUM lightRayOpticalDepth(vec3 point, Light light)
+SPECTRUM lightTransmittance(int number, vec3 point, Light light)
 {
   vec3 start = frameBoxPoint(point);
   vec3 along = frameBoxDirection(light.direction);
@@ -49,5 +49,5 @@ SPECTRUM lightRayOpticalDepth(vec3 point, Light light)
     t = next;
     ++exactIterations;
   }
-  return sum;
+  return transmittance(sum);
 }

@@ -10,6 +10,9 @@ uniform vec3 eyeOrigin, eyeOriginX, eyeOriginY;
 uniform vec3 eyeDirection, eyeDirectionX, eyeDirectionY;
 uniform vec4 clipZ, clipW; // rows of the local-to-clip matrix
 uniform sampler2D opaqueDepth;
+#ifdef TILES
+uniform sampler2D tiles; // for each square of pixels, the first and last t at which its rays meet a brick
+#endif
 
 // The part of the ray inside the volume, after the near plane and before opaque geometry. Its origin is
 // where it starts, so that positions along it stay exact however far the eye is.
@@ -41,6 +44,10 @@ EyeRay eyeRay()
   {
     interval.y = min(interval.y, eyeRayAtDepth(origin, direction, depth * 2.0 - 1.0));
   }
+#ifdef TILES
+  vec2 tile = texelFetch(tiles, ivec2(pixel) / TILES, 0).rg;
+  interval = vec2(max(interval.x, tile.x), min(interval.y, tile.y));
+#endif
   return EyeRay(
     origin + interval.x * direction, direction, interval.y - interval.x, interval.x);
 }

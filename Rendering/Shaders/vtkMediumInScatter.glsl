@@ -15,7 +15,7 @@ vec3 inScatter(vec3 point, vec3 direction, Content content)
     {
       // cosTheta: the light travels along -light.direction, the eye is along -direction.
       float phase = PHASE(dot(light.direction, direction), content.anisotropy);
-      sum += light.irradiance * phase * transmittance(lightRayOpticalDepth(point, light));
+      sum += light.irradiance * phase * lightTransmittance(number, point, light);
     }
   }
   return content.scattering * sum;

@@ -51,5 +51,6 @@ void outputEnd(SPECTRUM depth, FrameState state)
 #elif defined(OUTPUT_OPTICAL_DEPTH)
   state.radiance = vec3(depth);
 #endif
+  state.radiance = max(state.radiance, 0.0); // prefiltered light caches undershoot a little
   frameEnd(state);
 }

@@ -35,9 +35,11 @@ struct Picture
     }
   }
 
+  /// One value; NaN, which no comparison accepts, where there is none.
   double At(int x, int y, int component = 0) const
   {
-    return this->Values[std::size_t(y * this->Size.x + x) * this->Components + component];
+    const std::size_t i = std::size_t(y * this->Size.x + x) * this->Components + component;
+    return i < this->Values.size() ? this->Values[i] : std::nan("");
   }
 
   /// The mean of one component over the picture.

@@ -202,8 +202,8 @@ TEST(PaperBall, SideLitRadianceConvergesInFirstOrder)
 
 TEST(PaperBall, JitterOnlyDarkensWithinItsShareOfAStep)
 {
-  // From the camera: the integrand falls along the ray, so a later sample is a darker one, by at most
-  // jitter h (f(first) - f(last)).
+  // From the camera: the integrand falls as f = exp(-2 sigma t), so a sample that is later by a share xi
+  // of the step h is darker by h (f(first) - f(last)) (1 - exp(-2 sigma xi h)) / (1 - exp(-2 sigma h)).
   BallScene scene;
   scene.AddBeam({ 0, 0, -1 });
   const double step = 0.1, jitter = 0.2;
@@ -211,10 +211,12 @@ TEST(PaperBall, JitterOnlyDarkensWithinItsShareOfAStep)
   const Picture regular = scene.Render();
   scene.Mapper->SetJitter(jitter);
   const Picture jittered = scene.Render();
+  const double largest = step * -std::expm1(-2 * Sigma * jitter * step) /
+    -std::expm1(-2 * Sigma * step) * Isotropic * Sigma;
   double least = 1, most = 0;
   scene.ForEachChord([&](int x, int y, double, const Ray&) {
     const double darker = regular.At(x, y) - jittered.At(x, y);
-    const double share = darker / (jitter * step * Isotropic * Sigma);
+    const double share = darker / largest;
     ASSERT_GE(share, -0.01); // of the light path's search
     ASSERT_LE(share, 1.01);
     least = std::min(least, share);

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The installed package has its public classes, and its mapper draws."""
+"""The package installed under the given prefix has its public classes, and its mapper draws."""
 
 import sys
 
@@ -9,7 +9,7 @@ from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkVolume
 
-assert participating_media.__file__.startswith(sys.prefix), participating_media.__file__
+assert participating_media.__file__.startswith(sys.argv[1]), participating_media.__file__
 for name in participating_media.__all__:
     assert isinstance(getattr(participating_media, name), type), name
 

@@ -92,6 +92,7 @@ TEST(FormulasJitterTypes, FloatAndDoubleGiveTheSameNumber)
 {
   for (unsigned x = 0; x < 4096; ++x)
   {
-    ASSERT_EQ(double(FloatFormulas::Jitter(x, 1000 - x, 5)), DoubleFormulas::Jitter(x, 1000 - x, 5));
+    ASSERT_EQ(
+      double(FloatFormulas::Jitter(x, 1000 - x, 5)), DoubleFormulas::Jitter(x, 1000 - x, 5));
   }
 }

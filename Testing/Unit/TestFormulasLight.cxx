@@ -21,8 +21,8 @@ TYPED_TEST(FormulasLight, AttenuationIsTheReciprocalOfTheQuadratic)
     EXPECT_NEAR(
       TypeParam::Attenuation(real(r), vec3(0, 0, 1)) * r * r, 1, 4 * Epsilon<TypeParam>());
     const double plain = 1 / (0.5 + 2 * r + 3 * r * r);
-    EXPECT_NEAR(TypeParam::Attenuation(real(r), vec3(real(0.5), 2, 3)) / plain, 1,
-      8 * Epsilon<TypeParam>());
+    EXPECT_NEAR(
+      TypeParam::Attenuation(real(r), vec3(real(0.5), 2, 3)) / plain, 1, 8 * Epsilon<TypeParam>());
   }
 }
 
@@ -72,7 +72,8 @@ TYPED_TEST(FormulasLight, DirectionHasUnitLengthOrIsTheFallback)
   EXPECT_EQ(TypeParam::LightDirection(vec3(real(1e-20)), up), up);
   for (double scale : { 1e-12, 1e-3, 1.0, 1e8 })
   {
-    const vec3 found = TypeParam::LightDirection(vec3(real(2), real(-3), real(6)) * real(scale), up);
+    const vec3 found =
+      TypeParam::LightDirection(vec3(real(2), real(-3), real(6)) * real(scale), up);
     EXPECT_NEAR(found.x, 2.0 / 7, 4 * Epsilon<TypeParam>());
     EXPECT_NEAR(found.y, -3.0 / 7, 4 * Epsilon<TypeParam>());
     EXPECT_NEAR(found.z, 6.0 / 7, 4 * Epsilon<TypeParam>());

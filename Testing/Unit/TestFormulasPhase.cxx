@@ -10,8 +10,9 @@ namespace
 {
 constexpr long double Pi = 3.141592653589793238462643383279502884L;
 
-// The integral of f(cosTheta) over the sphere: 8-point Gauss-Legendre on intervals that halve towards
-// both poles, down to 2^-28, well inside the narrowest lobe ((1 - 0.999)^2 / 2 = 5e-7 in cosTheta).
+// The integral of f(cosTheta) over the sphere: 8-point Gauss-Legendre on intervals that halve
+// towards both poles, down to 2^-28, well inside the narrowest lobe ((1 - 0.999)^2 / 2 = 5e-7 in
+// cosTheta).
 double IntegrateOverSphere(const std::function<double(long double)>& f)
 {
   static const long double node[4] = { 0.1834346424956498049L, 0.5255324099163289858L,
@@ -52,8 +53,9 @@ long double PlainDraine(long double c, long double g, long double alpha)
   return PlainHenyeyGreenstein(c, g) * (1 + alpha * c * c) / (1 + alpha * (1 + 2 * g * g) / 3);
 }
 
-const double Anisotropies[] = { -1, -0.999, -0.99, -0.97, -0.95, -0.938, -0.9, -0.5, -1e-3, -1e-7, 0,
-  1e-7, 1e-3, 0.1, 0.3, 0.6, 0.8, 0.9, 0.938, 0.94, 0.95, 0.96, 0.97, 0.98, 0.99, 0.999, 0.9999, 1 };
+const double Anisotropies[] = { -1, -0.999, -0.99, -0.97, -0.95, -0.938, -0.9, -0.5, -1e-3, -1e-7,
+  0, 1e-7, 1e-3, 0.1, 0.3, 0.6, 0.8, 0.9, 0.938, 0.94, 0.95, 0.96, 0.97, 0.98, 0.99, 0.999, 0.9999,
+  1 };
 const double Alphas[] = { 0, 0.5, 1, 10, 250 };
 }
 
@@ -82,18 +84,16 @@ TYPED_TEST(FormulasPhase, EachIntegratesToOneOverTheSphere)
       this->SphereTolerance);
     EXPECT_NEAR(IntegrateOverSphere([g](long double c) { return F::Schlick(c, g); }), 1,
       this->SphereTolerance);
-    EXPECT_NEAR(IntegrateOverSphere([g](long double c) {
-      return F::DoubleHenyeyGreenstein(c, g, -0.4, 0.75);
-    }),
+    EXPECT_NEAR(IntegrateOverSphere(
+                  [g](long double c) { return F::DoubleHenyeyGreenstein(c, g, -0.4, 0.75); }),
       1, this->SphereTolerance);
     for (double alpha : Alphas)
     {
       EXPECT_NEAR(IntegrateOverSphere([=](long double c) { return F::Draine(c, g, alpha); }), 1,
         this->SphereTolerance);
-      EXPECT_NEAR(IntegrateOverSphere([=](long double c) {
-        return F::Droplets(c, g, alpha, 0.98, 0.4);
-      }),
-        1, this->SphereTolerance);
+      EXPECT_NEAR(
+        IntegrateOverSphere([=](long double c) { return F::Droplets(c, g, alpha, 0.98, 0.4); }), 1,
+        this->SphereTolerance);
     }
   }
 }
@@ -106,9 +106,10 @@ TYPED_TEST(FormulasPhase, EachIsFiniteAndNonNegativeForEveryAnisotropy)
     for (int i = -1001; i <= 1001; ++i) // a dot product of unit vectors may pass 1 by rounding
     {
       const double c = i / 1001.0 * (1 + 2 * Epsilon<F>());
-      for (double p : { double(F::HenyeyGreenstein(c, g)), double(F::Schlick(c, g)),
-             double(F::Schlick(c, F::SchlickFromG(g))), double(F::Draine(c, g, 250)),
-             double(F::DoubleHenyeyGreenstein(c, g, -g, 0.3)), double(F::Droplets(c, g, 9, -g, 1)) })
+      for (double p :
+        { double(F::HenyeyGreenstein(c, g)), double(F::Schlick(c, g)),
+          double(F::Schlick(c, F::SchlickFromG(g))), double(F::Draine(c, g, 250)),
+          double(F::DoubleHenyeyGreenstein(c, g, -g, 0.3)), double(F::Droplets(c, g, 9, -g, 1)) })
       {
         ASSERT_TRUE(std::isfinite(p) && p >= 0) << "g " << g << " cosTheta " << c << " p " << p;
       }
@@ -120,8 +121,8 @@ TYPED_TEST(FormulasPhase, EachMeetsItsDefinition)
 {
   using F = TypeParam;
   using real = typename F::real;
-  // A handful of roundings, at the same rounded arguments. The definition itself cancels: at the peak of
-  // g = 0.999 long double's 1e-19 is 1e-13 of 1 + g^2 - 2 g c.
+  // A handful of roundings, at the same rounded arguments. The definition itself cancels: at the
+  // peak of g = 0.999 long double's 1e-19 is 1e-13 of 1 + g^2 - 2 g c.
   const double tolerance = 16 * Epsilon<F>() + 2e-13;
   for (double anisotropy : Anisotropies)
   {
@@ -174,9 +175,8 @@ TYPED_TEST(FormulasPhase, MeanCosineOfHenyeyGreensteinIsG)
   for (double g : Anisotropies)
   {
     const double held = std::min(std::max(g, -0.999), 0.999);
-    EXPECT_NEAR(
-      IntegrateOverSphere([g](long double c) { return c * F::HenyeyGreenstein(c, g); }), held,
-      this->SphereTolerance);
+    EXPECT_NEAR(IntegrateOverSphere([g](long double c) { return c * F::HenyeyGreenstein(c, g); }),
+      held, this->SphereTolerance);
   }
 }
 
@@ -187,7 +187,8 @@ TYPED_TEST(FormulasPhase, SmallAnisotropyIsIsotropic)
   {
     for (double c : { -1.0, -0.2, 0.0, 0.5, 1.0 })
     {
-      const double tolerance = 4 * std::abs(g) + 4 * Epsilon<F>(); // p = (1 + 3 g c) / 4 pi + O(g^2)
+      const double tolerance =
+        4 * std::abs(g) + 4 * Epsilon<F>(); // p = (1 + 3 g c) / 4 pi + O(g^2)
       EXPECT_NEAR(F::HenyeyGreenstein(c, g) / F::Isotropic(), 1, tolerance);
       EXPECT_NEAR(F::Schlick(c, F::SchlickFromG(g)) / F::Isotropic(), 1, tolerance);
       EXPECT_NEAR(F::Draine(c, g, 0) / F::Isotropic(), 1, tolerance);

@@ -34,8 +34,8 @@ TYPED_TEST(FormulasSegment, MeanTransmittanceMeetsExpm1OverSixteenDecades)
   for (double decade = -12; decade <= 4; decade += 0.0078125)
   {
     const real x = static_cast<real>(std::pow(10.0, decade));
-    ASSERT_NEAR(TypeParam::MeanTransmittance(x) / PlainMeanTransmittance(x), 1,
-      Tolerance<TypeParam>())
+    ASSERT_NEAR(
+      TypeParam::MeanTransmittance(x) / PlainMeanTransmittance(x), 1, Tolerance<TypeParam>())
       << "x " << x;
   }
   EXPECT_EQ(TypeParam::MeanTransmittance(real(0)), 1);
@@ -90,7 +90,8 @@ TYPED_TEST(FormulasSegment, TransmittanceIsMultiplicativeOverSplits)
       const double product =
         double(TypeParam::Transmittance(real(a))) * TypeParam::Transmittance(real(b));
       // exp's relative error is the absolute one of its argument: 80 rounding units at most.
-      EXPECT_NEAR(TypeParam::Transmittance(real(a) + real(b)) / product, 1, 80 * Epsilon<TypeParam>());
+      EXPECT_NEAR(
+        TypeParam::Transmittance(real(a) + real(b)) / product, 1, 80 * Epsilon<TypeParam>());
     }
   }
 }

@@ -89,8 +89,10 @@ TEST(ParticipatingMedium, ArraysAreFoundInPointDataThenCellDataAndShareAField)
 {
   MediumInput input;
   input.Add("rho", 1, [](vtkIdType i, int) { return 0.1 * i; });
-  input.Add("rho", 1, [](vtkIdType, int) { return 99.0; }, true);
-  input.Add("heat", 1, [](vtkIdType i, int) { return 1.0 + i; }, true);
+  input.Add(
+    "rho", 1, [](vtkIdType, int) { return 99.0; }, true);
+  input.Add(
+    "heat", 1, [](vtkIdType i, int) { return 1.0 + i; }, true);
   input.Medium->SetExtinctionArrayName("rho");
   input.Medium->SetExtinctionScale(3, 2, 1);
   input.Medium->SetEmissionArrayName("heat");
@@ -119,7 +121,8 @@ TEST(ParticipatingMedium, ArraysAreFoundInPointDataThenCellDataAndShareAField)
 TEST(ParticipatingMedium, TheEmptyNameIsTheScalarsOfTheMapper)
 {
   MediumInput input;
-  input.Scalars = input.Add("chosen", 1, [](vtkIdType i, int) { return double(i); }, true);
+  input.Scalars = input.Add(
+    "chosen", 1, [](vtkIdType i, int) { return double(i); }, true);
   input.OnCells = true;
   input.Medium->SetExtinctionArrayName("");
   ASSERT_EQ(input.GatherMedium(), "");
@@ -129,6 +132,22 @@ TEST(ParticipatingMedium, TheEmptyNameIsTheScalarsOfTheMapper)
   input.Medium->SetExtinctionArrayName(nullptr);
   ASSERT_EQ(input.GatherMedium(), "");
   ExpectNear(input.Scene.Evaluate({ 0.75, 0.75, 0.25 }).Extinction, glm::dvec3(1));
+}
+
+TEST(ParticipatingMedium, AFunctionWithoutAnArrayReadsTheScalars)
+{
+  MediumInput input;
+  input.Scalars = input.Add("chosen", 1, [](vtkIdType i, int) { return double(i); });
+  vtkNew<vtkPiecewiseFunction> half;
+  half->AddPoint(0, 0);
+  half->AddPoint(26, 13);
+  input.Medium->SetExtinctionFunction(half);
+  input.Medium->SetAnisotropyFunction(nullptr);
+  ASSERT_EQ(input.GatherMedium(), "");
+  ExpectNear(input.AtPoint(1, 1, 1).Extinction, glm::dvec3(6.5), 1e-9);
+  input.Medium->SetExtinctionFunction(nullptr);
+  ASSERT_EQ(input.GatherMedium(), "");
+  ExpectNear(input.AtPoint(1, 1, 1).Extinction, glm::dvec3(1));
 }
 
 TEST(ParticipatingMedium, ComponentsMeanWhatTheyMeanToAVolumeProperty)
@@ -191,12 +210,9 @@ TEST(ParticipatingMedium, FunctionsOfOneArrayShareATableWhereTheyFit)
   vtkNew<vtkColorTransferFunction> fire;
   fire->AddRGBPoint(0, 0, 0, 0);
   fire->AddRGBPoint(26, 9, 3, 1);
-  for (const char* name : { "t", "t" })
-  {
-    input.Medium->SetExtinctionArrayName(name);
-    input.Medium->SetAlbedoArrayName(name);
-    input.Medium->SetEmissionArrayName(name);
-  }
+  input.Medium->SetExtinctionArrayName("t");
+  input.Medium->SetAlbedoArrayName("t");
+  input.Medium->SetEmissionArrayName("t");
   input.Medium->SetExtinctionFunction(density);
   input.Medium->SetAlbedoColorFunction(color);
   input.Medium->SetEmissionColorFunction(fire);

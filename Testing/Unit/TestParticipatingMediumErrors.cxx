@@ -57,7 +57,8 @@ const BadMedium BadMedia[] = {
     { "Extinction", "-0.5", ">= 0" } },
   { "NaNExtinction", [](I& i) { i.Medium->SetExtinction(1, NotANumber, 1); },
     { "Extinction", "nan" } },
-  { "InfiniteExtinction", [](I& i) { i.Medium->SetExtinction(Infinite); }, { "Extinction", "inf" } },
+  { "InfiniteExtinction", [](I& i) { i.Medium->SetExtinction(Infinite); },
+    { "Extinction", "inf" } },
   { "AlbedoAboveOne", [](I& i) { i.Medium->SetAlbedo(1.25); }, { "Albedo", "1.25", "0 to 1" } },
   { "NegativeAlbedo", [](I& i) { i.Medium->SetAlbedo(-0.1); }, { "Albedo", "-0.1" } },
   { "NegativeEmission", [](I& i) { i.Medium->SetEmission(-3); }, { "Emission", "-3" } },
@@ -142,10 +143,21 @@ const BadMedium BadMedia[] = {
     { "DropletDiameter", "5 to 50" } },
   { "NoTable", [](I& i) { i.Medium->SetPhaseFunctionToTabulated(); }, { "PhaseTable", "two" } },
   { "ShortTable", [](I& i) { UseTable(i, { 0.08 }); }, { "PhaseTable", "1 values" } },
-  { "TableTooBright", [](I& i) { UseTable(i, { 0.25, 0.25 }); },
+  { "TableTooBright",
+    [](I& i) {
+      UseTable(i, { 0.25, 0.25 });
+    },
     { "PhaseTable", "3.14159", "divide" } },
-  { "NegativeTable", [](I& i) { UseTable(i, { 0.3, -0.1, 0.1 }); }, { "PhaseTable", "-0.1" } },
-  { "NaNTable", [](I& i) { UseTable(i, { 0.3, NotANumber, 0.1 }); }, { "PhaseTable", "nan" } },
+  { "NegativeTable",
+    [](I& i) {
+      UseTable(i, { 0.3, -0.1, 0.1 });
+    },
+    { "PhaseTable", "-0.1" } },
+  { "NaNTable",
+    [](I& i) {
+      UseTable(i, { 0.3, NotANumber, 0.1 });
+    },
+    { "PhaseTable", "nan" } },
 };
 
 class ParticipatingMediumErrors : public ::testing::TestWithParam<BadMedium>
@@ -161,7 +173,8 @@ TEST_P(ParticipatingMediumErrors, OneMessageNamesTheValueAndTheFix)
   input.Add("vector", 3, [](vtkIdType, int) { return 0.5; });
   input.Add("five", 5, [](vtkIdType, int) { return 0.5; });
   input.Add("nothing", 1, [](vtkIdType, int) { return NotANumber; });
-  input.Add("cells", 1, [](vtkIdType, int) { return 0.5; }, true);
+  input.Add(
+    "cells", 1, [](vtkIdType, int) { return 0.5; }, true);
   ASSERT_EQ(input.GatherMedium(), "");
   GetParam().Break(input);
   const std::string problem = input.GatherMedium();

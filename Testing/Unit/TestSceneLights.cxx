@@ -180,7 +180,8 @@ TEST(SceneLights, MatchWhereVTKPutsThemWhenItRenders)
   camera->SetPosition(3, -20, 11);
   camera->SetFocalPoint(1, 2, 3);
   camera->SetViewUp(0.2, 0.1, 1);
-  for (int type : { VTK_LIGHT_TYPE_HEADLIGHT, VTK_LIGHT_TYPE_CAMERA_LIGHT, VTK_LIGHT_TYPE_SCENE_LIGHT })
+  for (int type :
+    { VTK_LIGHT_TYPE_HEADLIGHT, VTK_LIGHT_TYPE_CAMERA_LIGHT, VTK_LIGHT_TYPE_SCENE_LIGHT })
   {
     scene.Renderer->RemoveAllLights();
     vtkLight* light = scene.Add({ 0.5, 2, 1 }, { 0.1, 0.2, 0.3 });

@@ -4,8 +4,8 @@
 // A pseudo-random offset for each pixel, equal on every driver and on the CPU because it is made of
 // 32-bit integers. GLSL and C++ both compile this text; see vtkMediumFormulas.h.
 
-// A bijective mixer of 32 bits with low bias (two rounds of xorshift and multiplication; the constants
-// are those of lowbias32, C. Wellons, Prospecting for Hash Functions, 2018).
+// A bijective mixer of 32 bits with low bias (two rounds of xorshift and multiplication; the
+// constants are those of lowbias32, C. Wellons, Prospecting for Hash Functions, 2018).
 uint jitterMix(uint x)
 {
   x = (x ^ (x >> 16u)) * 0x7feb352du;

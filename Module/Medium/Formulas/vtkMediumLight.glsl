@@ -1,23 +1,24 @@
 // SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What arrives of a positional light, before the medium weakens it. Lengths are local units, in which
-// the volume's diagonal is 1. GLSL and C++ both compile this text; see vtkMediumFormulas.h.
+// What arrives of a positional light, before the medium weakens it. Lengths are local units, in
+// which the volume's diagonal is 1. GLSL and C++ both compile this text; see vtkMediumFormulas.h.
 
-// Nearer to a light than this, its attenuation stays what it is there, so that an inverse square stays
-// finite. Of the power scattered within a distance R of the light this loses 2/3 x 1e-4 / R.
+// Nearer to a light than this, its attenuation stays what it is there, so that an inverse square
+// stays finite. Of the power scattered within a distance R of the light this loses 2/3 x 1e-4 / R.
 #define LIGHT_MINIMUM_RADIUS real(1.0e-4)
 
-// 1 / (a + b r + c r^2), VTK's attenuation values; (0, 0, 1) is the inverse square. The sum is held above
-// zero: coefficients that make it vanish are refused before they come here.
+// 1 / (a + b r + c r^2), VTK's attenuation values; (0, 0, 1) is the inverse square. The sum is held
+// above zero: coefficients that make it vanish are refused before they come here.
 real lightAttenuation(real r, vec3 abc)
 {
   real s = max(r, LIGHT_MINIMUM_RADIUS);
   return real(1.0) / max(abc.x + s * (abc.y + s * abc.z), real(1.0e-30));
 }
 
-// cos^exponent inside the cone, 0 outside. cosAngle is the cosine between the light's axis and the way
-// to the point. pow(0, 0) and pow of a negative number are undefined in GLSL, and branched around.
+// cos^exponent inside the cone, 0 outside. cosAngle is the cosine between the light's axis and the
+// way to the point. pow(0, 0) and pow of a negative number are undefined in GLSL, and branched
+// around.
 real lightSpot(real cosAngle, real cosCone, real exponent)
 {
   if (cosAngle < cosCone)

@@ -15,8 +15,8 @@ real phaseIsotropic()
   return real(0.25) / PHASE_PI;
 }
 
-// Henyey and Greenstein (1941): (1 - g^2) / (4 pi (1 + g^2 - 2 g cosTheta)^(3/2)), with the denominator
-// written as (1 - |g|)^2 + 2 |g| (1 -+ cosTheta), which does not cancel at the peak.
+// Henyey and Greenstein (1941): (1 - g^2) / (4 pi (1 + g^2 - 2 g cosTheta)^(3/2)), with the
+// denominator written as (1 - |g|)^2 + 2 |g| (1 -+ cosTheta), which does not cancel at the peak.
 real phaseHenyeyGreenstein(real cosTheta, real g)
 {
   real a = min(abs(g), PHASE_LIMIT);
@@ -25,7 +25,8 @@ real phaseHenyeyGreenstein(real cosTheta, real g)
   return (real(1.0) - a) * (real(1.0) + a) / (real(4.0) * PHASE_PI * d * sqrt(d));
 }
 
-// weight parts of a first lobe and 1 - weight parts of a second, as of a forward and a backward one.
+// weight parts of a first lobe and 1 - weight parts of a second, as of a forward and a backward
+// one.
 real phaseDoubleHenyeyGreenstein(real cosTheta, real g, real secondG, real weight)
 {
   return weight * phaseHenyeyGreenstein(cosTheta, g) +
@@ -38,9 +39,9 @@ real phaseRayleigh(real cosTheta)
   return real(3.0 / 16.0) / PHASE_PI * (real(1.0) + cosTheta * cosTheta);
 }
 
-// Draine (2003), Astrophysical Journal 598, equation 4: Henyey-Greenstein times 1 + alpha cosTheta^2,
-// normalised; alpha >= 0. g = 0, alpha = 1 is Rayleigh, alpha = 1 is Cornette and Shanks (1992).
-// Its mean cosine is not g unless alpha is 0.
+// Draine (2003), Astrophysical Journal 598, equation 4: Henyey-Greenstein times 1 + alpha
+// cosTheta^2, normalised; alpha >= 0. g = 0, alpha = 1 is Rayleigh, alpha = 1 is Cornette and
+// Shanks (1992). Its mean cosine is not g unless alpha is 0.
 real phaseDraine(real cosTheta, real g, real alpha)
 {
   real a = min(abs(g), PHASE_LIMIT);
@@ -48,24 +49,25 @@ real phaseDraine(real cosTheta, real g, real alpha)
   return phaseHenyeyGreenstein(cosTheta, g) * (real(1.0) + alpha * cosTheta * cosTheta) / norm;
 }
 
-// Water droplets of fog and cloud (Jendersie and d'Eon 2023, doi:10.1145/3587421.3595409): weight parts
-// of a Draine lobe (g, alpha) and 1 - weight parts of a Henyey-Greenstein lobe (secondG). The four
-// parameters follow from the droplet's diameter; vtkParticipatingMedium evaluates that fit.
+// Water droplets of fog and cloud (Jendersie and d'Eon 2023, doi:10.1145/3587421.3595409): weight
+// parts of a Draine lobe (g, alpha) and 1 - weight parts of a Henyey-Greenstein lobe (secondG). The
+// four parameters follow from the droplet's diameter; vtkParticipatingMedium evaluates that fit.
 real phaseDroplets(real cosTheta, real g, real alpha, real secondG, real weight)
 {
   return weight * phaseDraine(cosTheta, g, alpha) +
     (real(1.0) - weight) * phaseHenyeyGreenstein(cosTheta, secondG);
 }
 
-// Where a table of `size` values at equally spaced cosines -1 to 1 holds cosTheta: 0 at the first value,
-// size - 1 at the last. A linearly filtered texture is sampled at (coordinate + 1/2) / size.
+// Where a table of `size` values at equally spaced cosines -1 to 1 holds cosTheta: 0 at the first
+// value, size - 1 at the last. A linearly filtered texture is sampled at (coordinate + 1/2) / size.
 real phaseTableCoordinate(real cosTheta, real size)
 {
   return clamp(real(0.5) + real(0.5) * cosTheta, real(0.0), real(1.0)) * (size - real(1.0));
 }
 
 // The k of Schlick's approximation that comes near to Henyey-Greenstein with mean cosine g (Pharr,
-// Jakob and Humphreys, Physically Based Rendering). It exceeds 1 for 0.938 < g < 1 and is held there.
+// Jakob and Humphreys, Physically Based Rendering). It exceeds 1 for 0.938 < g < 1 and is held
+// there.
 real phaseSchlickFromG(real g)
 {
   return clamp(real(1.55) * g - real(0.55) * g * g * g, -PHASE_LIMIT, PHASE_LIMIT);

@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The part of a ray inside the unit box. GLSL and C++ both compile this text; see vtkMediumFormulas.h.
+// The part of a ray inside the unit box. GLSL and C++ both compile this text; see
+// vtkMediumFormulas.h.
 
-// A direction component below this never crosses the box (t would exceed 1e30) and counts as zero; some
-// GPUs flush denormals to zero in a division but not in a comparison.
+// A direction component below this never crosses the box (t would exceed 1e30) and counts as zero;
+// some GPUs flush denormals to zero in a division but not in a comparison.
 #define RAY_BOX_PARALLEL real(1.0e-30)
 
-// The interval of one axis. A direction component of zero is a branch of its own: 1/0 times an origin
-// on the face would be NaN.
+// The interval of one axis. A direction component of zero is a branch of its own: 1/0 times an
+// origin on the face would be NaN.
 vec2 rayBoxAxis(real origin, real direction)
 {
   if (abs(direction) < RAY_BOX_PARALLEL)

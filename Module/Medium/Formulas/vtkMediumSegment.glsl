@@ -4,9 +4,9 @@
 // Light gathered over a segment of constant source and constant extinction, in closed form.
 // GLSL and C++ both compile this text; see vtkMediumFormulas.h.
 
-// (1 - exp(-x)) / x for x >= 0: the mean transmittance over a segment of optical depth x. The quotient
-// cancels for small x (relative error 1e-4 at x = 3e-4 in float), so its Taylor series takes over
-// below x = 0.166, where five terms leave a relative error of 2.2e-7.
+// (1 - exp(-x)) / x for x >= 0: the mean transmittance over a segment of optical depth x. The
+// quotient cancels for small x (relative error 1e-4 at x = 3e-4 in float), so its Taylor series
+// takes over below x = 0.166, where five terms leave a relative error of 2.2e-7.
 real segmentMeanTransmittance(real x)
 {
   real series = real(1.0) -

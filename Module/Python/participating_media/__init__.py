@@ -6,6 +6,7 @@ Its classes are used in any VTK pipeline:
 
 - ``vtkSingleScatteringVolumeMapper``: a ``vtkVolumeMapper`` that renders by single scattering;
 - ``vtkParticipatingMedium``: what fills the volume, in physical units;
+- ``vtkSingleScatteringReference``: the same image on the CPU, in double precision;
 - ``vtkMediumStatistics``: what the mapper did, as ``mapper.GetStatistics()`` returns it.
 
 ``participating_media.readers`` reads volumes by path, ``participating_media.presets`` has volume

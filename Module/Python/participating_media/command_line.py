@@ -21,6 +21,10 @@ from .vtkParticipatingMediaRendering import vtkSingleScatteringVolumeMapper
 RAMP_OPTICAL_DEPTH = 20.0
 #: The brightest value of an automatically exposed picture, a little below white.
 EXPOSED_PEAK = 0.95
+#: Names as the mapper has them, SetOutputTo… and SetIntegratorTo….
+MODES = ("radiance", "first-hit", "distance", "transmittance", "optical-depth", "depth",
+         "sample-count")
+INTEGRATORS = ("fixed-step", "paper", "exact")
 
 
 def _number(low: float, high: float):
@@ -62,39 +66,45 @@ class _Parser(argparse.ArgumentParser):
 
 def _parser() -> argparse.ArgumentParser:
     parser = _Parser(
-        prog="participating-media", formatter_class=argparse.ArgumentDefaultsHelpFormatter,
-        description="Renders a volume as a participating medium, lit by single scattering, to a "
-        "PNG. Lengths are the file's own units, commonly mm.")
+        prog="participating-media", description="Renders a volume as a participating medium, lit "
+        "by single scattering, to a PNG. Lengths are the file's own units, commonly mm. A list "
+        "that begins with a minus needs an equals sign: --light=-1,0,0.")
     add = parser.add_argument
     add("volume", type=Path,
         help="a .vti, .nii, .nii.gz, .mhd, .mha, .nrrd, .nhdr or .inv3 file, or a folder of DICOM "
         "slices")
-    add("-o", "--output", type=Path, default=Path("picture.png"), help="the PNG to write")
-    add("--size", type=_size, default=(512, 512), metavar="WxH", help="pixels of the picture")
-    add("--mode", choices=("radiance", "first-hit", "distance"), default="radiance",
-        help="radiance, or the distance to the medium or through it, as grey")
-    add("--integrator", choices=("fixed-step", "paper"), default="fixed-step")
-    add("--step", type=_number(0, math.inf), default=0.0,
-        help="longest step along the eye and light rays; 0: one voxel")
-    add("--threshold", type=float, help="paper: the scalar from which on a voxel is filled "
-        "(default: the middle of the range)")
+    add("-o", "--output", type=Path, default=Path("picture.png"), metavar="PNG",
+        help="the picture to write (%(default)s)")
+    add("--size", type=_size, default=(512, 512), metavar="WxH",
+        help="pixels of the picture (512x512)")
+    add("--mode", choices=MODES, default=MODES[0],
+        help="radiance, or as grey: the distance to the medium or through it, transmittance, "
+        "optical depth, mean depth, work (%(default)s)")
+    add("--integrator", choices=INTEGRATORS, default=INTEGRATORS[0],
+        help="fixed-step for any medium; paper for what a threshold fills; exact for any medium, "
+        "slow (%(default)s)")
+    add("--step", type=_number(0, sys.float_info.max), default=0.0, metavar="LENGTH",
+        help="longest step along the eye and light rays (0: one voxel)")
+    add("--threshold", type=float, metavar="SCALAR",
+        help="paper: the scalar from which on a voxel is filled (the middle of the range)")
     add("--medium", choices=("auto", "ct", "ramp"), default="auto",
         help="ct: HU, bone in a thin fog of tissue; ramp: white, denser with the scalar; auto: ct "
-        "if there are scalars below -500")
+        "if there are scalars below -500 (%(default)s)")
     add("--range", type=_numbers(2, ",", float), metavar="LOW,HIGH",
-        help="ramp: the scalars at its foot and top (default: the volume's range)")
-    add("--extinction", type=_number(0, math.inf),
-        help="ramp: extinction at its top, per unit of length (default: an optical depth of "
+        help="ramp: the scalars at its foot and top (the volume's range)")
+    add("--extinction", type=_number(0, sys.float_info.max), metavar="PER_LENGTH",
+        help="ramp: extinction at its top, per unit of length (an optical depth of "
         f"{RAMP_OPTICAL_DEPTH:g} along the diagonal)")
-    add("--anisotropy", type=_number(-1, 1), default=0.0,
-        help="mean cosine of the phase function, -1 (back) … 1 (forward)")
-    add("--light", type=_numbers(3, ",", float), default=(-1.0, -1.5, -1.5), metavar="X,Y,Z",
-        help="the way the light travels (default: from the right, front and above)")
-    add("--irradiance", type=_number(0, math.inf),
-        help="of the light (default: such that nothing is clipped)")
-    add("--azimuth", type=float, default=-30.0,
-        help="degrees around z, 0 looks at the front (+y) of the volume")
-    add("--elevation", type=_number(-89, 89), default=15.0, help="degrees above the horizon")
+    add("--anisotropy", type=_number(-1, 1), default=0.0, metavar="G",
+        help="mean cosine of the phase function, -1 (back) to 1 (forward) (0)")
+    add("--light", type=_numbers(3, ",", float), default=(-1.0, -1.4, -1.2), metavar="X,Y,Z",
+        help="the way the light travels (-1,-1.4,-1.2: from the right, front and above)")
+    add("--irradiance", type=_number(0, sys.float_info.max), metavar="E",
+        help="of a surface that faces the light (such that nothing is clipped)")
+    add("--azimuth", type=float, default=-30.0, metavar="DEGREES",
+        help="around z, 0 looks at the front (+y) of the volume (-30)")
+    add("--elevation", type=_number(-89, 89), default=15.0, metavar="DEGREES",
+        help="above the horizon (15)")
     return parser
 
 
@@ -114,12 +124,16 @@ def _medium(options: argparse.Namespace, image: vtkImageData):
     return ramp_property(low, high, extinction)
 
 
+def _setter_name(option: str) -> str:
+    """fixed-step -> FixedStep."""
+    return option.title().replace("-", "")
+
+
 def _mapper(options: argparse.Namespace, image: vtkImageData) -> vtkSingleScatteringVolumeMapper:
     mapper = vtkSingleScatteringVolumeMapper()
     mapper.SetInputData(image)
-    mapper.SetIntegrator(mapper.Paper if options.integrator == "paper" else mapper.FixedStep)
-    mapper.SetOutput({"radiance": mapper.Radiance, "first-hit": mapper.FirstHit,
-                      "distance": mapper.Distance}[options.mode])
+    getattr(mapper, f"SetIntegratorTo{_setter_name(options.integrator)}")()
+    getattr(mapper, f"SetOutputTo{_setter_name(options.mode)}")()
     mapper.SetSampleDistance(options.step)
     mapper.SetLightSampleDistance(options.step)
     mapper.SetAnisotropy(options.anisotropy)
@@ -150,6 +164,7 @@ def _draw(options: argparse.Namespace) -> None:
     camera.Azimuth(options.azimuth)
     camera.Elevation(options.elevation)
     renderer.ResetCamera()
+    camera.Zoom(1.4)  # the bounding sphere that the camera was set to has much air in it
     window = vtkRenderWindow()
     window.SetOffScreenRendering(True)
     window.SetMultiSamples(0)

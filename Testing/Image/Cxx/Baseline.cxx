@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Baseline.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkOutputWindow.h"
 #include "vtkPNGReader.h"
 #include "vtkPNGWriter.h"
 #include "vtkRenderWindow.h"
@@ -54,17 +56,57 @@ std::ostream& operator<<(std::ostream& out, const Difference& difference)
 }
 
 //------------------------------------------------------------------------------
+bool ShowsSomething(vtkImageData* picture)
+{
+  const auto* values = static_cast<const unsigned char*>(picture->GetScalarPointer());
+  const vtkIdType pixels = picture->GetNumberOfPoints();
+  const int channels = picture->GetNumberOfScalarComponents();
+  vtkIdType seen = 0;
+  for (vtkIdType pixel = 0; pixel < pixels; ++pixel)
+  {
+    // Other than the corner's pixel, which is background in some scenes and medium in others.
+    seen += !std::equal(values, values + channels, values + channels * pixel);
+  }
+  return seen >= SmallestSubject * pixels;
+}
+
+//------------------------------------------------------------------------------
 using Picture = vtkSmartPointer<vtkImageData>;
 
+// Counts what VTK reports as errors while it lives.
+class ErrorCount
+{
+public:
+  ErrorCount()
+  {
+    this->Command->SetClientData(&this->Count);
+    this->Command->SetCallback(
+      [](vtkObject*, unsigned long, void* count, void*) { ++*static_cast<int*>(count); });
+    this->Tag = vtkOutputWindow::GetInstance()->AddObserver(vtkCommand::ErrorEvent, this->Command);
+  }
+  ~ErrorCount() { vtkOutputWindow::GetInstance()->RemoveObserver(this->Tag); }
+  ErrorCount(const ErrorCount&) = delete;
+  void operator=(const ErrorCount&) = delete;
+
+  int Count = 0;
+
+private:
+  vtkNew<vtkCallbackCommand> Command;
+  unsigned long Tag;
+};
+
+//------------------------------------------------------------------------------
+// What the window shows; null if there was an error.
 Picture Capture(vtkRenderWindow* window)
 {
+  const ErrorCount errors;
   window->Render();
   vtkNew<vtkWindowToImageFilter> frame;
   frame->SetInput(window);
   frame->ReadFrontBufferOff();
   frame->ShouldRerenderOff();
   frame->Update();
-  return frame->GetOutput();
+  return errors.Count == 0 && ShowsSomething(frame->GetOutput()) ? frame->GetOutput() : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -122,21 +164,6 @@ Difference Compare(vtkImageData* a, vtkImageData* b)
 }
 
 //------------------------------------------------------------------------------
-bool ShowsSomething(vtkImageData* picture)
-{
-  const auto* values = static_cast<const unsigned char*>(picture->GetScalarPointer());
-  const vtkIdType pixels = picture->GetNumberOfPoints();
-  const int channels = picture->GetNumberOfScalarComponents();
-  vtkIdType seen = 0;
-  for (vtkIdType pixel = 0; pixel < pixels; ++pixel)
-  {
-    // Other than the corner's pixel, which is background in some scenes and medium in others.
-    seen += !std::equal(values, values + channels, values + channels * pixel);
-  }
-  return seen >= SmallestSubject * pixels;
-}
-
-//------------------------------------------------------------------------------
 // VTK's verdict and what it wrote; it leaves the picture and its difference in the folder.
 int CompareAsVTK(
   int argc, char* argv[], vtkImageData* picture, const std::string& folder, std::ostream& report)
@@ -176,10 +203,13 @@ int Baseline::Compare(int argc, char* argv[], vtkRenderWindow* window, const std
   const std::string path = GetArgument(argc, argv, "-V");
   const std::string folder = GetArgument(argc, argv, "-T");
   const Picture picture = Capture(window);
-  bool good = Check(ShowsSomething(picture), "the picture is empty");
-  if (std::getenv("PARTICIPATING_MEDIA_UPDATE_BASELINES") && good)
+  if (!Check(picture, "the picture is empty, or there was an error"))
   {
-    good = Check(Write(picture, path), path + " cannot be written");
+    return EXIT_FAILURE;
+  }
+  if (std::getenv("PARTICIPATING_MEDIA_UPDATE_BASELINES"))
+  {
+    Check(Write(picture, path), path + " cannot be written");
     std::cout << "Wrote " << path << "; look at it before it is committed\n";
   }
   if (!Check(std::filesystem::exists(path), path + " is missing; see Testing/Image/README.md"))
@@ -190,12 +220,16 @@ int Baseline::Compare(int argc, char* argv[], vtkRenderWindow* window, const std
 
   const Difference difference = ::Compare(picture, baseline);
   std::cout << "As it should be: " << difference << "\n";
-  good &= Check(difference.IsSmall(), "the picture differs from its baseline");
+  bool good = Check(difference.IsSmall(), "the picture differs from its baseline");
   good &= Check(CompareAsVTK(argc, argv, picture, folder, std::cout) == vtkTesting::PASSED,
     "VTK's comparison rejects the picture");
 
   makeMistake();
   const Picture wrong = Capture(window);
+  if (!Check(wrong, "the picture with " + mistake + " is empty, or there was an error"))
+  {
+    return EXIT_FAILURE;
+  }
   const Difference rejected = ::Compare(wrong, baseline);
   const std::string wrongFolder = folder + "/Wrong";
   std::filesystem::create_directories(wrongFolder);
@@ -204,7 +238,6 @@ int Baseline::Compare(int argc, char* argv[], vtkRenderWindow* window, const std
   const bool seenByVTK = CompareAsVTK(argc, argv, wrong, wrongFolder, report) != vtkTesting::PASSED;
   std::cout << "With " << mistake << ": " << rejected << "; VTK's comparison "
             << (seenByVTK ? "rejects" : "accepts") << " it\n";
-  good &= Check(ShowsSomething(wrong), "the picture with the mistake is empty");
   good &= Check(rejected.IsLarge(), "the picture with " + mistake + " is not clearly rejected");
   return good ? EXIT_SUCCESS : EXIT_FAILURE;
 }

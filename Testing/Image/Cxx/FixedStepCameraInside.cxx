@@ -11,7 +11,7 @@
 int FixedStepCameraInside(int argc, char* argv[])
 {
   Stage stage;
-  stage.AddVolume(vtkMediumFixtures::MakeImage(vtkMediumFixtures::Cloud, glm::ivec3(56)),
+  stage.AddVolume(vtkMediumFixtures::MakeImage(vtkMediumFixtures::Cloud, glm::ivec3(48)),
     Stage::Medium(10, { 1, 0.97, 0.94 }));
   vtkLight* sun = stage.AddSun({ -1, 1, 1.5 }, { 1, 0.9, 0.75 }, 16);
   stage.GetView()->SetBackground(0.16, 0.28, 0.45);

@@ -10,7 +10,7 @@ int FixedStepForwardCloud(int argc, char* argv[])
 {
   Stage stage;
   vtkSingleScatteringVolumeMapper* mapper = Stage::GetMapper(
-    stage.AddVolume(vtkMediumFixtures::MakeImage(vtkMediumFixtures::Cloud, glm::ivec3(56)),
+    stage.AddVolume(vtkMediumFixtures::MakeImage(vtkMediumFixtures::Cloud, glm::ivec3(48)),
       Stage::Medium(14, glm::dvec3(1))));
   mapper->SetAnisotropy(0.7);
   stage.AddSun({ -0.9, 3, 1.4 }, { 1, 0.93, 0.8 }, 5);

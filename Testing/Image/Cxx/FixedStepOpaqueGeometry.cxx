@@ -5,8 +5,6 @@
 #include "Baseline.h"
 #include "Stage.h"
 
-#include "vtkMediumFixtures.h"
-
 #include "vtkActor.h"
 #include "vtkConeSource.h"
 #include "vtkPlaneSource.h"
@@ -30,8 +28,7 @@ vtkSmartPointer<vtkActor> MakeActor(vtkPolyDataAlgorithm* source, const glm::dve
 int FixedStepOpaqueGeometry(int argc, char* argv[])
 {
   Stage stage;
-  stage.AddVolume(vtkMediumFixtures::MakeImage(vtkMediumFixtures::Smooth, glm::ivec3(40)),
-    Stage::Medium(7, { 0.95, 0.97, 1 }));
+  stage.AddVolume(Stage::Blobs(glm::ivec3(32)), Stage::Medium(9, { 0.95, 0.97, 1 }));
   stage.AddSun({ -2, -2, 2 }, glm::dvec3(1), 14);
   vtkNew<vtkConeSource> cone;
   cone->SetResolution(48);

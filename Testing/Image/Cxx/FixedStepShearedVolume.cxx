@@ -4,16 +4,13 @@
 #include "Baseline.h"
 #include "Stage.h"
 
-#include "vtkMediumFixtures.h"
-
 #include "vtkMatrix4x4.h"
 
 int FixedStepShearedVolume(int argc, char* argv[])
 {
   Stage stage;
   vtkVolume* volume =
-    stage.AddVolume(vtkMediumFixtures::MakeImage(vtkMediumFixtures::Smooth, { 65, 33, 17 }),
-      Stage::Medium(10, { 0.85, 1, 0.9 }));
+    stage.AddVolume(Stage::Blobs({ 65, 33, 17 }), Stage::Medium(10, { 0.85, 1, 0.9 }));
   // A unit cube's edges become (0.9, 0.3, 0), (-0.35, 0.9, 0.1) and (0.6, 0, 0.8).
   const double sheared[16] = { 0.9, -0.35, 0.6, 0, 0.3, 0.9, 0, 0, 0, 0.1, 0.8, 0, 0, 0, 0, 1 };
   vtkNew<vtkMatrix4x4> matrix;

@@ -4,13 +4,10 @@
 #include "Baseline.h"
 #include "Stage.h"
 
-#include "vtkMediumFixtures.h"
-
 int FixedStepTwoLights(int argc, char* argv[])
 {
   Stage stage;
-  stage.AddVolume(vtkMediumFixtures::MakeImage(vtkMediumFixtures::Smooth, glm::ivec3(40)),
-    Stage::Medium(12, glm::dvec3(0.95)));
+  stage.AddVolume(Stage::Blobs(glm::ivec3(32)), Stage::Medium(12, glm::dvec3(0.95)));
   vtkLight* warm = stage.AddSun({ -3, -1, 1 }, { 1, 0.55, 0.25 }, 16);
   vtkLight* cold = stage.AddSun({ 3, -0.5, 0.5 }, { 0.25, 0.5, 1 }, 16);
   stage.GetView()->GradientBackgroundOn();

@@ -4,14 +4,11 @@
 #include "Baseline.h"
 #include "Stage.h"
 
-#include "vtkMediumFixtures.h"
-
 int PaperDistance(int argc, char* argv[])
 {
   Stage stage;
   vtkVolume* volume =
-    stage.AddVolume(vtkMediumFixtures::MakeImage(vtkMediumFixtures::Smooth, glm::ivec3(48)),
-      Stage::Medium(8, glm::dvec3(1)));
+    stage.AddVolume(Stage::Blobs(glm::ivec3(48)), Stage::Medium(8, glm::dvec3(1)));
   vtkSingleScatteringVolumeMapper* mapper = Stage::GetMapper(volume);
   mapper->SetIntegratorToPaper();
   mapper->SetOutputToDistance();

@@ -14,7 +14,8 @@ int PaperSingleScattering(int argc, char* argv[])
     const glm::dvec3 side = glm::abs(x);
     return side.x < 0.3 && side.y < 0.3 && side.z < 0.3 ? 1 : 0;
   };
-  vtkVolume* volume = stage.AddVolume(Stage::Voxels(64, cube), Stage::Medium(6, { 0.95, 0.97, 1 }));
+  vtkVolume* volume =
+    stage.AddVolume(Stage::Voxels(glm::ivec3(48), cube), Stage::Medium(6, { 0.95, 0.97, 1 }));
   Stage::GetMapper(volume)->SetIntegratorToPaper();
   vtkLight* sun = stage.AddSun({ -1, -1, 1.5 }, { 1, 0.95, 0.85 }, 16);
   stage.LookFrom({ 2, -3, 2 }, 1.7);

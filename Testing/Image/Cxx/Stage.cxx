@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Stage.h"
 
+#include "vtkMediumFixtures.h"
+
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkPiecewiseFunction.h"
@@ -85,6 +87,15 @@ void Stage::LookFrom(const glm::dvec3& direction, double zoom)
   camera->SetViewUp(0, 0, 1);
   this->GetView()->ResetCamera();
   camera->Zoom(zoom);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> Stage::Blobs(const glm::ivec3& points)
+{
+  return Stage::Voxels(points, [](const glm::dvec3& x) {
+    const glm::dvec3 fade = 1.0 - 16.0 * x * x * x * x; // 1 in the middle, 0 at a face
+    return vtkMediumFixtures::SmoothDensity(x + 0.5, 1) * fade.x * fade.y * fade.z;
+  });
 }
 
 //------------------------------------------------------------------------------

@@ -27,7 +27,7 @@
 class Stage
 {
 public:
-  explicit Stage(int width = 240, int height = 240);
+  explicit Stage(int width = 200, int height = 200);
   ~Stage();
 
   vtkRenderWindow* GetWindow() { return this->Window; }
@@ -51,14 +51,13 @@ public:
   /// A medium of that extinction, per unit of length, times the voxels' density of 0 to 1.
   static vtkSmartPointer<vtkVolumeProperty> Medium(double extinction, const glm::dvec3& albedo);
 
-  /// A cube 1 long with `points` per edge; the density of a point at x, each coordinate -1/2 to 1/2.
+  /// A cube 1 long with so many points; the density of a point at x, each coordinate -1/2 to 1/2.
   template <class Density>
-  static vtkSmartPointer<vtkImageData> Voxels(int points, Density density)
+  static vtkSmartPointer<vtkImageData> Voxels(const glm::ivec3& points, Density density)
   {
     auto image = vtkSmartPointer<vtkImageData>::New();
-    image->SetDimensions(points, points, points);
-    const double spacing = 1.0 / (points - 1);
-    image->SetSpacing(spacing, spacing, spacing);
+    image->SetDimensions(points.x, points.y, points.z);
+    image->SetSpacing(1.0 / (points.x - 1), 1.0 / (points.y - 1), 1.0 / (points.z - 1));
     image->SetOrigin(-0.5, -0.5, -0.5);
     vtkNew<vtkFloatArray> values;
     values->SetName("density");
@@ -72,6 +71,9 @@ public:
     image->GetPointData()->SetScalars(values);
     return image;
   }
+
+  /// Five blobs that have grown together, and fade out before the cube's faces.
+  static vtkSmartPointer<vtkImageData> Blobs(const glm::ivec3& points);
 
 private:
   vtkNew<vtkRenderWindow> Window;

@@ -12,39 +12,46 @@ from participating_media.presets import hounsfield_property
 MILLIMETRES = 200
 
 
-def radius(x, y, z, centre, axes):
-    """1 on an ellipsoid, less inside; lengths in mm."""
-    return np.sqrt(sum(((p - c) / a) ** 2 for p, c, a in zip((x, y, z), centre, axes)))
+EDGE = 9  # mm over which a scanner's voxels go from one tissue to the next
 
 
 def head(x, y, z):
-    """CT numbers: air -1000, skin and fat -50, muscle 50, brain 35, bone 1200."""
-    x, y, z = x * MILLIMETRES, y * MILLIMETRES, z * MILLIMETRES
-    outside = radius(x, y, z, (0, 0, 0), (72, 90, 95))
-    hu = np.where(outside < 1, -50.0, -1000.0)
-    hu[outside < 0.94] = 50
-    hu[(outside < 0.88) & (z > -60)] = 1200
-    hu[radius(x, y, z, (0, 4, 10), (58, 70, 72)) < 1] = 35
-    for side in (-1, 1):  # eyes, and the sockets around them
-        hu[radius(x, y, z, (side * 30, -72, 8), (20, 26, 18)) < 1] = 20
-    hu[radius(x, y, z, (0, -80, -22), (11, 20, 20)) < 1] = -1000  # the nose's cavity
-    hu[outside >= 1] = -1000
+    """CT numbers: air -1000, skin and fat -50, muscle 50, bone 1200, brain 35, eyes 20."""
+    place = [MILLIMETRES * p for p in (x, y, z)]
+
+    def inside(centre, axes, above=None):
+        """1 in the ellipsoid, 0 outside, a straight ramp between; only above that height."""
+        radius = np.sqrt(sum(((p - c) / a) ** 2 for p, c, a in zip(place, centre, axes)))
+        ramp = np.clip(0.5 + (1 - radius) * min(axes) / EDGE, 0, 1)
+        return ramp if above is None else ramp * np.clip(0.5 + (place[2] - above) / EDGE, 0, 1)
+
+    hu = np.full_like(x, -1000.0)
+    for number, part in (
+            (-50, inside((0, 0, 0), (72, 90, 95))),
+            (50, inside((0, 0, 0), (67, 84, 89))),
+            (1200, inside((0, 0, 0), (63, 79, 84), -60)),
+            (35, inside((0, 4, 10), (55, 66, 68))),
+            (20, inside((-30, -72, 8), (20, 26, 18))),
+            (20, inside((30, -72, 8), (20, 26, 18))),
+            (-1000, inside((0, -80, -22), (11, 20, 20)))):  # the nose's cavity
+        hu += part * (number - hu)
     return hu
 
 
-image = baseline.voxels(72, head)
-image.SetSpacing([MILLIMETRES / 71] * 3)
+image = baseline.voxels(64, head)
+image.SetSpacing([MILLIMETRES / 63] * 3)
 image.SetOrigin([-MILLIMETRES / 2] * 3)
 mapper = vtkSingleScatteringVolumeMapper()
 mapper.SetInputData(image)
-mapper.SetLightSampleDistance(2 * MILLIMETRES / 71)
+mapper.SetSampleDistance(2)
+mapper.SetLightSampleDistance(4)
 volume = vtkVolume()
 volume.SetMapper(mapper)
 volume.SetProperty(hounsfield_property())
-window = baseline.window_of(220, 220)
+window = baseline.window_of(200, 200)
 view = baseline.view_of(window)
 view.AddVolume(volume)
-view.AddLight(baseline.sun((-1.5, -2, 1.5), (1, 0.95, 0.88), 18))
+view.AddLight(baseline.sun((-1.5, -2, 1.5), (1, 0.95, 0.88), 15))
 view.AddLight(baseline.sun((2, -0.5, 0.5), (0.55, 0.72, 1), 10))
 camera = view.GetActiveCamera()
 camera.SetPosition(0.7, -2, 0.5)

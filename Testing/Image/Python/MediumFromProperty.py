@@ -28,7 +28,7 @@ mapper.SetInputData(baseline.voxels(56, lambda x, y, z: np.clip(
 volume = vtkVolume()
 volume.SetMapper(mapper)
 volume.SetProperty(medium)
-window = baseline.window_of(220, 220)
+window = baseline.window_of(200, 200)
 view = baseline.view_of(window)
 view.AddVolume(volume)
 view.AddLight(baseline.sun((-2, -2, 3), (1, 1, 1), 20))

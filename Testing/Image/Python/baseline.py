@@ -12,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkOutputWindow
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
@@ -70,13 +71,20 @@ def voxels(points: int, density) -> vtkImageData:
     return image
 
 
-def _capture(window: vtkRenderWindow) -> vtkImageData:
+def _capture(window: vtkRenderWindow, which: str) -> vtkImageData:
+    """What the window shows; ends the program if there was an error, or nothing to see."""
+    errors = []
+    reports = vtkOutputWindow.GetInstance()
+    tag = reports.AddObserver("ErrorEvent", lambda caller, event: errors.append(event))
     window.Render()
+    reports.RemoveObserver(tag)
     frame = vtkWindowToImageFilter()
     frame.SetInput(window)
     frame.ReadFrontBufferOff()
     frame.ShouldRerenderOff()
     frame.Update()
+    if errors or not _shows_something(frame.GetOutput()):
+        sys.exit(f"FAILED: {which} is empty, or there was an error")
     return frame.GetOutput()
 
 
@@ -131,10 +139,8 @@ def compare(window: vtkRenderWindow, mistake: str, make_mistake) -> None:
     path, folder = Path(named["-V"]), Path(named["-T"])
     faults = []
 
-    picture = _capture(window)
-    if not _shows_something(picture):
-        faults.append("the picture is empty")
-    elif "PARTICIPATING_MEDIA_UPDATE_BASELINES" in os.environ:
+    picture = _capture(window, "the picture")
+    if "PARTICIPATING_MEDIA_UPDATE_BASELINES" in os.environ:
         _write(picture, path)
         print(f"Wrote {path}; look at it before it is committed")
     if not path.exists():
@@ -150,13 +156,11 @@ def compare(window: vtkRenderWindow, mistake: str, make_mistake) -> None:
         faults.append("VTK's comparison rejects the picture")
 
     make_mistake()
-    wrong = _capture(window)
+    wrong = _capture(window, f"the picture with {mistake}")
     (folder / "Wrong").mkdir(exist_ok=True)
     _write(wrong, folder / "Wrong" / path.name)
     mean, fraction, largest = _difference(wrong, baseline)
     print(f"With {mistake}:", described.format(mean, fraction, DIFFERENT_LEVEL, largest))
-    if not _shows_something(wrong):
-        faults.append("the picture with the mistake is empty")
     if mean < MARGIN * LARGEST_MEAN and fraction < MARGIN * LARGEST_FRACTION:
         faults.append(f"the picture with {mistake} is not clearly rejected")
 

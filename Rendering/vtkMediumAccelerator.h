@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkMediumAccelerator
+ * @brief What lets a frame skip work: bricks and their tiles, and a cache of each light's shadow.
+ *
+ * Bricks say which part of an eye ray can meet anything; light caches turn a light ray into one look-up.
+ * Both are built on the CPU, from the extinction grid, and kept by signature: a camera move rebuilds
+ * neither, a light's colour rebuilds neither, a light's pose rebuilds its own cache only.
+ */
+#ifndef vtkMediumAccelerator_h
+#define vtkMediumAccelerator_h
+
+#include "vtkMediumBricks.h"
+#include "vtkMediumCompatibility.h"
+#include "vtkMediumExtinctionGrid.h"
+#include "vtkMediumLightCache.h"
+#include "vtkMediumPlan.h"
+#include "vtkMediumSignature.h"
+
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+#include "vtkTextureObject.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+class vtkWindow;
+VTK_ABI_NAMESPACE_END
+
+class vtkMediumAccelerator
+{
+public:
+  /// Lights in one texture: its channels.
+  static constexpr int LightsPerTexture = 4;
+
+  /// Builds and uploads what the plan asks for and what changed. Returns an empty string, or what the
+  /// device could not hold.
+  std::string Update(
+    vtkOpenGLRenderWindow* window, const vtkMediumScene& scene, const vtkMediumPlan& plan);
+
+  /// Projects the bricks to the tiles of a viewport. False if nothing of the medium is in view.
+  bool ProjectTiles(const vtkMediumScene& scene, const glm::ivec2& viewportSize);
+  const glm::ivec4& GetScissor() const { return this->Scissor; }
+
+  /// Binds the textures and tells the program where they are.
+  void Activate(vtkShaderProgram* program, const vtkMediumPlan& plan);
+  void Deactivate();
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+  /// Since creation.
+  int GetBrickBuilds() const { return this->BrickBuilds; }
+  int GetLightCacheBuilds() const { return this->LightCacheBuilds; }
+  const vtkMediumBricks& GetBricks() const { return this->Bricks; }
+  vtkTypeInt64 GetBytes() const;
+
+private:
+  struct CachedLight
+  {
+    vtkMediumLightCache Cache;
+    vtkMediumScene::Light Pose;
+    bool Built = false;
+  };
+
+  void UpdateGrid(const vtkMediumScene& scene);
+  bool UpdateCaches(const vtkMediumScene& scene, int lights);
+  bool UploadGroup(int group, int lights, double densityScale);
+
+  vtkOpenGLRenderWindow* Window = nullptr;
+  vtkMediumSignature GridSignature;
+  vtkMediumSignature BrickSignature;
+  vtkMediumExtinctionGrid Grid;
+  vtkMediumBricks Bricks;
+  std::vector<std::unique_ptr<CachedLight>> Lights;
+  std::vector<vtkSmartPointer<vtkTextureObject>> CacheTextures;
+  int CachedLights = 0;           ///< as uploaded
+  double CachedDensityScale = -1; ///< as uploaded
+  vtkNew<vtkTextureObject> TileTexture;
+  glm::ivec4 Scissor{ 0 };
+  std::vector<vtkTextureObject*> Active;
+  int BrickBuilds = 0;
+  int LightCacheBuilds = 0;
+};
+
+#endif

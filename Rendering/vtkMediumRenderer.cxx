@@ -1,0 +1,278 @@
+// SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMediumRenderer.h"
+
+#include "vtkMediumImages.h"
+#include "vtkMediumStatistics.h"
+#include "vtkSingleScatteringVolumeMapper.h"
+
+#include "vtkMatrix4x4.h"
+#include "vtkMediumOpenGL.h"
+#include "vtkNew.h"
+#include "vtkOpenGLCamera.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkTimerLog.h"
+
+#include <algorithm>
+#include <cstring>
+#include <sstream>
+
+namespace
+{
+// Of the viewport's size along each axis, and the least and most pixels of it.
+constexpr int ProbeReduction = 8;
+constexpr int FewestProbes = 32;
+constexpr int MostProbes = 96;
+
+//------------------------------------------------------------------------------
+/// Milliseconds since it was made, or since the last lap.
+class Stopwatch
+{
+public:
+  double Lap()
+  {
+    const double before = this->Start;
+    this->Start = vtkTimerLog::GetUniversalTime();
+    return 1e3 * (this->Start - before);
+  }
+
+private:
+  double Start = vtkTimerLog::GetUniversalTime();
+};
+}
+
+//------------------------------------------------------------------------------
+std::string vtkMediumRenderer::Draw(const Request& request, vtkMediumStatistics* statistics)
+{
+  Stopwatch watch;
+  std::string refusal = this->UseWindow(request.Renderer);
+  if (refusal.empty())
+  {
+    refusal = this->Gather(request);
+  }
+  if (!refusal.empty())
+  {
+    return refusal;
+  }
+  const vtkMediumPlan::Capabilities device = FindCapabilities();
+  const vtkMediumPlan draft(this->Scene, request.Settings, device);
+  if (!draft.Refusal.empty())
+  {
+    return draft.Refusal;
+  }
+  statistics->GatherMilliseconds = watch.Lap();
+
+  refusal = this->Textures.Update(this->Window, this->Scene, draft);
+  statistics->UploadMilliseconds = watch.Lap();
+  if (refusal.empty())
+  {
+    refusal = this->Accelerator.Update(this->Window, this->Scene, draft);
+  }
+  statistics->BuildMilliseconds = watch.Lap();
+  this->Programs.ResetCompileMilliseconds();
+  if (refusal.empty() && draft.UseBricks)
+  {
+    refusal = this->FindStep(request, device);
+  }
+  const double compiledForProbes = this->Programs.GetCompileMilliseconds();
+  statistics->CalibrateMilliseconds = watch.Lap() - compiledForProbes;
+  if (!refusal.empty())
+  {
+    return refusal;
+  }
+
+  vtkMediumPlan::Settings settings = request.Settings;
+  settings.ControlledStep = this->StepControl.GetStep();
+  const vtkMediumPlan plan(this->Scene, settings, device);
+  refusal = this->DrawFrame(request, plan);
+  const double compiled = this->Programs.GetCompileMilliseconds();
+  statistics->CompileMilliseconds = compiled;
+  statistics->IntegrateMilliseconds = watch.Lap() - (compiled - compiledForProbes);
+  if (refusal.empty())
+  {
+    this->CountWork(plan, statistics);
+  }
+  return refusal;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkMediumRenderer::UseWindow(vtkRenderer* renderer)
+{
+  vtkOpenGLRenderWindow* window =
+    vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  int major = 0, minor = 0;
+  if (window)
+  {
+    window->GetOpenGLVersion(major, minor);
+  }
+  if (major < 3 || (major == 3 && minor < 2))
+  {
+    std::ostringstream text;
+    text << "The render window ("
+         << (renderer->GetRenderWindow() ? renderer->GetRenderWindow()->GetClassName() : "none")
+         << ") has OpenGL " << major << '.' << minor
+         << ", but 3.2 is needed; use a vtkOpenGLRenderWindow on a driver that offers it.";
+    return text.str();
+  }
+  if (this->Window != window)
+  {
+    this->ReleaseGraphicsResources(this->Window);
+    this->Window = window;
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+std::string vtkMediumRenderer::Gather(const Request& request)
+{
+  vtkMediumScene& scene = this->Scene;
+  std::string refusal = scene.GatherVolume(request.Input, request.Scalars, request.ScalarsOnCells,
+    request.Volume, request.Medium, request.Anisotropy);
+  if (!refusal.empty())
+  {
+    return refusal;
+  }
+  if (!request.Medium)
+  {
+    scene.Content.Phase = request.Phase;
+  }
+  refusal = scene.GatherLights(request.Renderer);
+  return refusal.empty() ? this->GatherView(request.Renderer) : refusal;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkMediumRenderer::GatherView(vtkRenderer* renderer)
+{
+  vtkMatrix4x4 *worldToClip, *worldToView, *viewToClip;
+  vtkMatrix3x3* normals;
+  vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera())
+    ->GetKeyMatrices(renderer, worldToView, normals, viewToClip, worldToClip);
+  vtkNew<vtkMatrix4x4> columns; // the camera keeps its matrices transposed for OpenGL
+  vtkMatrix4x4::Transpose(worldToClip, columns);
+  return this->Scene.GatherView(columns);
+}
+
+//------------------------------------------------------------------------------
+vtkMediumPlan::Capabilities vtkMediumRenderer::FindCapabilities()
+{
+  vtkMediumPlan::Capabilities device;
+  const char* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  const bool software = !name || std::strstr(name, "llvmpipe") || std::strstr(name, "softpipe");
+  if (!software)
+  {
+    device.LoopIterations = 1 << 22; // short enough draws that no driver's watchdog ends one
+    device.CoarseFilter = true;
+  }
+  glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &device.TextureSize3D);
+  return device;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkMediumRenderer::FindStep(
+  const Request& request, const vtkMediumPlan::Capabilities& device)
+{
+  if (this->StepControl.IsCalibrated(this->Scene, request.MaximumError))
+  {
+    return {};
+  }
+  int width = 0, height = 0, x = 0, y = 0;
+  request.Renderer->GetTiledSizeAndOrigin(&width, &height, &x, &y);
+  vtkMediumFrame::Viewport viewport;
+  viewport.Size = { std::min(std::max(width / ProbeReduction, FewestProbes), MostProbes),
+    std::min(std::max(height / ProbeReduction, FewestProbes), MostProbes) };
+  std::string refusal;
+  const vtkMediumScene::Box& box = this->Scene.Geometry;
+  this->StepControl.Calibrate(
+    this->Scene, request.MaximumError, box.VoxelLength / box.Length, [&](double step) {
+      vtkMediumPlan::Settings settings = request.Settings;
+      settings.ControlledStep = step;
+      settings.Output = vtkSingleScatteringVolumeMapper::Radiance;
+      const vtkMediumPlan plan(this->Scene, settings, device);
+      const std::string problem =
+        this->Probe.Begin(this->Window, viewport, plan.NeedsState(), false);
+      refusal = problem.empty() ? this->Integrate(this->Probe, plan) : problem;
+      return this->Probe.DownloadRadiance();
+    });
+  return refusal;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkMediumRenderer::Integrate(vtkMediumFrame& frame, const vtkMediumPlan& plan)
+{
+  const bool compiled =
+    frame.Integrate(this->Programs, this->Textures, this->Accelerator, this->Scene, plan);
+  return compiled ? std::string()
+                  : "A shader did not compile on this device; the compiler's words are above.";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkMediumRenderer::DrawFrame(const Request& request, const vtkMediumPlan& plan)
+{
+  vtkMediumFrame::Viewport viewport;
+  request.Renderer->GetTiledSizeAndOrigin(
+    &viewport.Size.x, &viewport.Size.y, &viewport.Origin.x, &viewport.Origin.y);
+  if (viewport.Size.x < 1 || viewport.Size.y < 1)
+  {
+    return {}; // a viewport without pixels shows nothing
+  }
+  std::string refusal = this->Frame.Begin(this->Window, viewport, plan.NeedsState(), true);
+  if (refusal.empty())
+  {
+    refusal = this->Integrate(this->Frame, plan);
+  }
+  this->Output = request.Settings.Output;
+  if (refusal.empty() && request.Show &&
+    !this->Frame.Show(this->Programs, vtkMediumImages::FindShown(this->Scene, this->Output)))
+  {
+    refusal = "The shader that shows a frame did not compile on this device; the compiler's words are "
+              "above.";
+  }
+  glFinish(); // so that the time that was measured is the time it took
+  return refusal;
+}
+
+//------------------------------------------------------------------------------
+void vtkMediumRenderer::CountWork(const vtkMediumPlan& plan, vtkMediumStatistics* statistics)
+{
+  ++statistics->Frames;
+  statistics->Passes = this->Frame.GetDraws();
+  statistics->TextureUploads = this->Textures.GetUploads();
+  statistics->ProgramCompiles = this->Programs.GetCompiles();
+  statistics->BrickBuilds = this->Accelerator.GetBrickBuilds();
+  statistics->LightCacheBuilds = this->Accelerator.GetLightCacheBuilds();
+  statistics->Calibrations = this->StepControl.GetCalibrations();
+  statistics->GPUBytes = this->Textures.GetBytes() + this->Accelerator.GetBytes() +
+    this->Frame.GetBytes() + this->Probe.GetBytes();
+  const vtkMediumBricks& bricks = this->Accelerator.GetBricks();
+  const std::size_t empty = plan.UseBricks ? bricks.GetNumberOf(vtkMediumBricks::Empty) : 0;
+  const glm::ivec3& count = bricks.GetCount();
+  statistics->BricksLeapt = static_cast<vtkTypeInt64>(empty);
+  statistics->BricksVisited = plan.UseBricks
+    ? static_cast<vtkTypeInt64>(count.x) * count.y * count.z - statistics->BricksLeapt
+    : 0;
+  statistics->Taps = statistics->Rays = 0;
+  if (statistics->CountTaps)
+  {
+    vtkMediumImages::Count(this->Frame.DownloadHits(), statistics->Taps, statistics->Rays);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMediumRenderer::ReleaseGraphicsResources(vtkWindow* window)
+{
+  if (window)
+  {
+    this->Textures.ReleaseGraphicsResources(window);
+    this->Accelerator.ReleaseGraphicsResources(window);
+    this->Programs.ReleaseGraphicsResources(window);
+    this->Probe.ReleaseGraphicsResources(window);
+    this->Frame.ReleaseGraphicsResources(window);
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkWindow* vtkMediumRenderer::GetWindow() const
+{
+  return this->Window;
+}

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkMediumRenderer
+ * @brief The story of a frame: facts, decisions, resources, one draw.
+ *
+ * Private to the module; vtkSingleScatteringVolumeMapper is its face.
+ */
+#ifndef vtkMediumRenderer_h
+#define vtkMediumRenderer_h
+
+#include "vtkMediumAccelerator.h"
+#include "vtkMediumCompatibility.h"
+#include "vtkMediumFrame.h"
+#include "vtkMediumPlan.h"
+#include "vtkMediumProgram.h"
+#include "vtkMediumScene.h"
+#include "vtkMediumStepControl.h"
+#include "vtkMediumTextures.h"
+
+#include "vtkWeakPointer.h"
+
+#include <string>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkDataArray;
+class vtkImageData;
+class vtkOpenGLRenderWindow;
+class vtkRenderer;
+class vtkVolume;
+class vtkWindow;
+VTK_ABI_NAMESPACE_END
+class vtkMediumStatistics;
+class vtkParticipatingMedium;
+
+class vtkMediumRenderer
+{
+public:
+  /// What is to be drawn, and how.
+  struct Request
+  {
+    vtkRenderer* Renderer = nullptr;
+    vtkVolume* Volume = nullptr;
+    vtkImageData* Input = nullptr;
+    vtkDataArray* Scalars = nullptr;
+    bool ScalarsOnCells = false;
+    vtkParticipatingMedium* Medium = nullptr; ///< null: the volume's property
+    double Anisotropy = 0;                    ///< of the property
+    vtkMediumScene::Phases Phase = vtkMediumScene::HenyeyGreenstein; ///< of the property
+    double MaximumError = 0; ///< ErrorControlled
+    bool Show = true;        ///< in the window
+    vtkMediumPlan::Settings Settings;
+  };
+
+  /// Draws a frame and writes down what it took. Returns an empty string, or why the frame cannot be
+  /// drawn right.
+  std::string Draw(const Request& request, vtkMediumStatistics* statistics);
+
+  /// The last frame: what it holds, and the scene that it was drawn from.
+  vtkMediumFrame& GetFrame() { return this->Frame; }
+  const vtkMediumScene& GetScene() const { return this->Scene; }
+  int GetOutput() const { return this->Output; }
+  double GetEstimatedError() const { return this->StepControl.GetEstimatedError(); }
+  /// Values that were NaN or infinite in the fields that the last Draw uploaded.
+  vtkTypeInt64 GetNonFinite() const { return this->Textures.GetNonFinite(); }
+
+  /// Gives back what is held in a window; any window will do, the one in use counts.
+  void ReleaseGraphicsResources(vtkWindow* window);
+  vtkWindow* GetWindow() const;
+
+private:
+  std::string UseWindow(vtkRenderer* renderer);
+  std::string Gather(const Request& request);
+  std::string GatherView(vtkRenderer* renderer);
+  std::string FindStep(const Request& request, const vtkMediumPlan::Capabilities& device);
+  std::string DrawFrame(const Request& request, const vtkMediumPlan& plan);
+  std::string Integrate(vtkMediumFrame& frame, const vtkMediumPlan& plan);
+  static vtkMediumPlan::Capabilities FindCapabilities();
+  void CountWork(const vtkMediumPlan& plan, vtkMediumStatistics* statistics);
+
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+  vtkMediumScene Scene;
+  vtkMediumTextures Textures;
+  vtkMediumAccelerator Accelerator;
+  vtkMediumProgram Programs;
+  vtkMediumStepControl StepControl;
+  vtkMediumFrame Probe;
+  vtkMediumFrame Frame;
+  int Output = 0;
+};
+
+#endif

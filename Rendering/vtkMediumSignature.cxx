@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMediumSignature.h"
+
+#include <cstdint>
+
+//------------------------------------------------------------------------------
+void vtkMediumSignature::Add(const glm::dvec3& value)
+{
+  this->Values.insert(this->Values.end(), { value.x, value.y, value.z });
+}
+
+//------------------------------------------------------------------------------
+void vtkMediumSignature::Add(
+  const vtkMediumScene::Coefficient& coefficient, const vtkMediumScene::Medium& content)
+{
+  this->Add(coefficient.Source);
+  this->Add(coefficient.Component);
+  this->Add(coefficient.Scale);
+  if (coefficient.IsConstant())
+  {
+    return;
+  }
+  this->Add(content.Fields[coefficient.FieldIndex]);
+  if (coefficient.Source == vtkMediumScene::Coefficient::Field)
+  {
+    return;
+  }
+  const vtkMediumFunction& function = content.Functions[coefficient.FunctionIndex];
+  this->Add(function.GetMinimum());
+  this->Add(function.GetMaximum());
+  for (const glm::dvec4& sample : function.GetSamples())
+  {
+    if (coefficient.Source == vtkMediumScene::Coefficient::FunctionAlpha)
+    {
+      this->Add(sample.w);
+    }
+    else
+    {
+      this->Add(glm::dvec3(sample));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMediumSignature::Add(const vtkMediumField& field)
+{
+  // An address has at most 48 bits in use, which a double holds exactly.
+  this->Add(static_cast<double>(reinterpret_cast<std::uintptr_t>(field.Array.Get())));
+  this->Add(static_cast<double>(field.Time));
+  this->Add(field.OnCells);
+  this->Add(field.Linear);
+  this->Add(field.FirstComponent);
+  this->Add(field.Components);
+}
+
+//------------------------------------------------------------------------------
+void vtkMediumSignature::Add(const vtkMediumScene::Light& light)
+{
+  this->Add(light.Type);
+  this->Add(light.Position);
+  this->Add(light.Direction);
+  this->Add(light.Irradiance);
+  this->Add(light.Attenuation);
+  this->Add(light.CosCone);
+  this->Add(light.Exponent);
+}
+
+//------------------------------------------------------------------------------
+vtkMediumSignature vtkMediumSignature::OfExtinction(const vtkMediumScene& scene)
+{
+  vtkMediumSignature signature;
+  const vtkMediumScene::Medium& content = scene.Content;
+  for (int column = 0; column < 3; ++column)
+  {
+    signature.Add(scene.Geometry.BoxToLocalAxes[column]);
+  }
+  signature.Add(scene.Geometry.Length);
+  signature.Add(content.Extinction, content);
+  signature.Add(content.ExtinctionIsAbsorption);
+  if (content.ExtinctionIsAbsorption)
+  {
+    signature.Add(content.Scattering, content);
+    signature.Add(content.ScatteringIsAlbedo);
+  }
+  return signature;
+}
+
+//------------------------------------------------------------------------------
+vtkMediumSignature vtkMediumSignature::OfOccupancy(const vtkMediumScene& scene)
+{
+  vtkMediumSignature signature = OfExtinction(scene);
+  signature.Add(scene.Content.Emission, scene.Content);
+  return signature;
+}
+
+//------------------------------------------------------------------------------
+vtkMediumSignature vtkMediumSignature::OfContentAndLights(const vtkMediumScene& scene)
+{
+  vtkMediumSignature signature = OfOccupancy(scene);
+  const vtkMediumScene::Medium& content = scene.Content;
+  signature.Add(content.Scattering, content);
+  signature.Add(content.ScatteringIsAlbedo);
+  signature.Add(content.DensityScale);
+  signature.Add(content.Phase);
+  signature.Add(content.Anisotropy, content);
+  signature.Add(content.BackAnisotropy);
+  signature.Add(content.ForwardWeight);
+  signature.Add(content.DraineAlpha);
+  for (double value : content.PhaseTable)
+  {
+    signature.Add(value);
+  }
+  for (const vtkMediumScene::Light& light : scene.Lights)
+  {
+    signature.Add(light);
+  }
+  return signature;
+}

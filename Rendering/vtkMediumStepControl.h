@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkMediumStepControl
+ * @brief Finds the longest step that keeps an image within an error.
+ *
+ * A few probe pixels are integrated at steps that halve, until what the last halving changed says that
+ * the error is met: with changes d1 and then d2, the order shows in d1 / d2 and the error that is left
+ * is about d2 / (d1 / d2 - 1) (Richardson). Probes miss the worst pixel of an image by up to a factor of
+ * two, so twice that is held against the error. It is an estimate, never a bound.
+ *
+ * No OpenGL: whoever calls it integrates the probes.
+ */
+#ifndef vtkMediumStepControl_h
+#define vtkMediumStepControl_h
+
+#include "vtkMediumScene.h"
+#include "vtkMediumSignature.h"
+#include "vtkParticipatingMediaRenderingModule.h" // for the export macro
+
+#include <functional>
+#include <vector>
+
+class VTKPARTICIPATINGMEDIARENDERING_EXPORT vtkMediumStepControl
+{
+public:
+  /// Integrates the probe pixels at a step, local units; returns R, G, B, alpha of each.
+  using Probe = std::function<std::vector<float>(double step)>;
+
+  /// Whether the last calibration holds for this scene and error: the same content and lights, and an
+  /// eye that has moved by less than a tenth of its distance and turned by less than ten degrees.
+  bool IsCalibrated(const vtkMediumScene& scene, double maximumError) const;
+
+  /// Finds the step; `voxel` is the step of one voxel, local units.
+  void Calibrate(
+    const vtkMediumScene& scene, double maximumError, double voxel, const Probe& probe);
+
+  double GetStep() const { return this->Step; }
+  /// The estimated error at that step, of the peak radiance of the probes.
+  double GetEstimatedError() const { return this->Error; }
+  /// Calibrations since creation.
+  int GetCalibrations() const { return this->Calibrations; }
+
+private:
+  vtkMediumSignature Signature;
+  glm::dvec3 Eye{ 0 };
+  glm::dvec3 Direction{ 0 };
+  double MaximumError = 0;
+  double Step = 0;
+  double Error = 0;
+  int Calibrations = 0;
+};
+
+#endif

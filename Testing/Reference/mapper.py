@@ -1,0 +1,113 @@
+# SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The scenes of scenes.py in VTK's words, by the mapper and by the reference."""
+
+import numpy as np
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 (registers the window)
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer, vtkRenderWindow, vtkVolume
+
+import scenes
+from participating_media import (
+    vtkParticipatingMedium,
+    vtkSingleScatteringReference,
+    vtkSingleScatteringVolumeMapper,
+)
+
+
+def image_of(grid: np.ndarray, size) -> vtkImageData:
+    """Point scalars indexed [z, y, x]; the box is centred on the origin."""
+    image = vtkImageData()
+    image.SetDimensions(grid.shape[::-1])
+    image.SetSpacing(np.array(size, float) / (np.array(grid.shape[::-1]) - 1))
+    image.SetOrigin(-0.5 * np.array(size, float))
+    values = numpy_to_vtk(np.ascontiguousarray(grid).ravel(), deep=True)
+    values.SetName("density")
+    image.GetPointData().SetScalars(values)
+    return image
+
+
+def light_of(scene: scenes.Scene) -> vtkLight:
+    light = vtkLight()
+    light.SetLightTypeToSceneLight()
+    light.SetPosition(scene.light)
+    light.SetFocalPoint(0, 0, 0)
+    if scene.point_light:
+        light.PositionalOn()
+        light.SetConeAngle(180)  # wider than 90: no cone
+        light.SetAttenuationValues(0, 0, 1)
+    return light
+
+
+def pixels_of(image: vtkImageData, channel: int = 1) -> np.ndarray:
+    """One channel, in double, first row at the bottom."""
+    width, height, _ = image.GetDimensions()
+    values = vtk_to_numpy(image.GetPointData().GetScalars())
+    return values.reshape(height, width, -1)[..., channel].astype(float)
+
+
+class Stage:
+    """A window with one volume, which can be rendered by the mapper or computed by the reference."""
+
+    def __init__(self, scene: scenes.Scene, grid=None):
+        self.scene = scene
+        self.medium = vtkParticipatingMedium()
+        self.medium.SetAlbedo(scene.albedo)
+        self.medium.SetAnisotropy(scene.g)
+        self.medium.SetExtinctionArrayName("")
+        self.medium.SetExtinctionScale(scene.extinction)
+        self.mapper = vtkSingleScatteringVolumeMapper()
+        self.mapper.SetInputData(image_of(scenes.grid_of(scene) if grid is None else grid, scene.size))
+        self.mapper.SetMedium(self.medium)
+        self.mapper.SetTransmittanceThreshold(0)
+        self.mapper.RenderToImageOn()
+        self.volume = vtkVolume()
+        self.volume.SetMapper(self.mapper)
+        self.volume.GetProperty().SetInterpolationTypeToLinear()
+        self.light = light_of(scene)
+        self.renderer = vtkRenderer()
+        self.renderer.AutomaticLightCreationOff()
+        self.renderer.AddLight(self.light)
+        self.renderer.AddVolume(self.volume)
+        camera = self.renderer.GetActiveCamera()
+        camera.SetPosition(scene.eye)
+        camera.SetFocalPoint(0, 0, 0)
+        camera.SetViewUp(0, 1, 0)
+        camera.SetViewAngle(scene.view_angle)
+        camera.SetClippingRange(0.01, 100)
+        self.window = vtkRenderWindow()
+        self.window.SetOffScreenRendering(True)
+        self.window.SetMultiSamples(0)
+        self.window.SetSize(scene.pixels, scene.pixels)
+        self.window.AddRenderer(self.renderer)
+
+    def fixed_step(self, voxels: float) -> np.ndarray:
+        """By FixedStep, with both steps this many voxels long (of the voxel's shortest edge)."""
+        self.mapper.SetIntegratorToFixedStep()
+        step = voxels * min(self.mapper.GetInput().GetSpacing())
+        self.mapper.SetSampleDistance(step)
+        self.mapper.SetLightSampleDistance(step)
+        return self.render()
+
+    def exact(self) -> np.ndarray:
+        self.mapper.SetIntegratorToExact()
+        return self.render()
+
+    def render(self) -> np.ndarray:
+        self.window.Render()
+        image = vtkImageData()
+        self.mapper.GetColorImage(image)
+        return pixels_of(image)
+
+    def reference(self, tolerance: float = 1e-7) -> np.ndarray:
+        reference = vtkSingleScatteringReference()
+        reference.SetVolume(self.volume)
+        reference.SetMedium(self.medium)
+        reference.SetRenderer(self.renderer)
+        reference.SetImageSize(self.scene.pixels, self.scene.pixels)
+        reference.SetTolerance(tolerance)
+        image = vtkImageData()
+        if not reference.GetColorImage(image):
+            raise RuntimeError("the reference gave no image")
+        return pixels_of(image)

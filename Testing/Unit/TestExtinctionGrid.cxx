@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMediumExtinctionGrid.h"
+#include "vtkMediumFixtures.h"
+
+#include "vtkShortArray.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace
+{
+using Coefficient = vtkMediumScene::Coefficient;
+using namespace vtkMediumFixtures;
+
+// Values are stored as float: half an ulp of relative error, and as much again for the interpolation.
+constexpr double FloatTolerance = 3e-7;
+
+const glm::ivec3 Points(13, 9, 11);
+const glm::dvec3 Size(1.3, 0.4, 2);
+
+glm::dvec3 RandomPoint(std::uint32_t index)
+{
+  return { Random(3 * index, 7), Random(3 * index + 1, 7), Random(3 * index + 2, 7) };
+}
+
+void ExpectGridEqualsScene(const vtkMediumScene& scene, const vtkMediumExtinctionGrid& grid)
+{
+  const double largest = grid.GetMaximum();
+  for (std::uint32_t i = 0; i < 500; ++i)
+  {
+    const glm::dvec3 box = RandomPoint(i);
+    const glm::dvec3 lattice = grid.LocalToLattice(scene.Geometry.BoxToLocal(box));
+    EXPECT_NEAR(grid.Interpolate(lattice), scene.Evaluate(box).Extinction.x * scene.Geometry.Length,
+      largest * FloatTolerance)
+      << "at box " << box.x << " " << box.y << " " << box.z;
+  }
+}
+
+void UseFunction(
+  vtkMediumScene& scene, double (*extinction)(double), std::vector<double> knots = {})
+{
+  vtkMediumFunction function;
+  function.Sample(scene.Content.Fields[0].Minimum, scene.Content.Fields[0].Maximum, knots,
+    [&](double value) { return glm::dvec4(0, 0, 0, extinction(value)); });
+  scene.Content.Functions.assign(1, function);
+  scene.Content.Extinction = Coefficient{ Coefficient::FunctionAlpha, 0, 0, -1, glm::dvec3(3) };
+}
+}
+
+//------------------------------------------------------------------------------
+TEST(ExtinctionGrid, InterpolatesToTheSceneOnPointsAndCellsAndInShearedBoxes)
+{
+  for (bool onCells : { false, true })
+  {
+    const auto image = MakeImage(Smooth, Points, Size, onCells);
+    const glm::dmat3 axes(0.1, 0, 0, 0.02, 0.05, 0, -0.03, 0.01, 0.2);
+    for (const vtkMediumScene& scene :
+      { MakeScene(image, 5, onCells), MakeScene(image, 5, onCells, axes) })
+    {
+      vtkMediumExtinctionGrid grid;
+      grid.Build(scene);
+      EXPECT_TRUE(grid.IsAffine());
+      EXPECT_EQ(grid.IsOnCells(), onCells);
+      ExpectGridEqualsScene(scene, grid);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(ExtinctionGrid, LatticeReachesTheFacesOfTheBox)
+{
+  for (bool onCells : { false, true })
+  {
+    const vtkMediumScene scene = MakeScene(MakeImage(Smooth, Points, Size, onCells), 5, onCells);
+    vtkMediumExtinctionGrid grid;
+    grid.Build(scene);
+    const glm::dvec3 first = scene.Geometry.BoxToLocal(glm::dvec3(0));
+    const glm::dvec3 last = scene.Geometry.BoxToLocal(glm::dvec3(1));
+    EXPECT_LT(glm::length(grid.LatticeToLocal(grid.GetLower()) - first), 1e-14);
+    EXPECT_LT(glm::length(grid.LatticeToLocal(grid.GetUpper()) - last), 1e-14);
+    EXPECT_LT(glm::length(grid.LocalToLattice(last) - grid.GetUpper()), 1e-12);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(ExtinctionGrid, NearestFieldsStayNearest)
+{
+  vtkMediumScene scene = MakeScene(MakeImage(Cloud, Points, Size), 5);
+  scene.Content.Fields[0].Linear = false;
+  UseFunction(scene, [](double s) { return s * s; });
+  vtkMediumExtinctionGrid grid;
+  grid.Build(scene);
+  EXPECT_FALSE(grid.IsLinear());
+  EXPECT_TRUE(grid.IsAffine()) << "classification commutes with nearest-neighbour interpolation";
+  ExpectGridEqualsScene(scene, grid);
+}
+
+//------------------------------------------------------------------------------
+TEST(ExtinctionGrid, KnowsWhereFunctionsAreAffine)
+{
+  vtkMediumScene scene = MakeScene(MakeImage(Smooth, Points, Size), 5);
+  vtkMediumExtinctionGrid grid;
+  UseFunction(scene, [](double s) { return 0.25 + 2 * s; });
+  grid.Build(scene);
+  EXPECT_TRUE(grid.IsAffine());
+  ExpectGridEqualsScene(scene, grid);
+
+  UseFunction(scene, [](double s) { return s * s; });
+  grid.Build(scene);
+  EXPECT_FALSE(grid.IsAffine());
+
+  // A kink outside the range of the data does no harm; one inside does.
+  UseFunction(scene, [](double s) { return std::max(s - 2, 0.0) + s; });
+  grid.Build(scene);
+  EXPECT_TRUE(grid.IsAffine());
+  UseFunction(scene, [](double s) { return std::max(s - 0.4, 0.0); });
+  grid.Build(scene);
+  EXPECT_FALSE(grid.IsAffine());
+}
+
+//------------------------------------------------------------------------------
+TEST(ExtinctionGrid, NonAffineFunctionsAgreeAtLatticePoints)
+{
+  vtkMediumScene scene = MakeScene(MakeImage(Smooth, Points, Size), 5);
+  UseFunction(scene, [](double s) { return s * s; });
+  vtkMediumExtinctionGrid grid;
+  grid.Build(scene);
+  for (int k = 0; k < Points.z; ++k)
+  {
+    const glm::ivec3 at(k % Points.x, k % Points.y, k);
+    const glm::dvec3 box = glm::dvec3(at) / glm::dvec3(Points - 1);
+    EXPECT_NEAR(grid.GetValues()[grid.GetIndex(at.x, at.y, at.z)],
+      scene.Evaluate(box).Extinction.x * scene.Geometry.Length, 5 * FloatTolerance);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(ExtinctionGrid, HomogeneousMediaNeedEightValues)
+{
+  vtkMediumScene scene = MakeScene(MakeImage(Smooth, Points, Size), 5);
+  scene.Content.Fields.clear();
+  scene.Content.Extinction = Coefficient{ Coefficient::Constant, -1, -1, -1, glm::dvec3(1, 2, 3) };
+  vtkMediumExtinctionGrid grid;
+  grid.Build(scene, 1);
+  EXPECT_EQ(grid.GetDimensions(), glm::ivec3(2));
+  EXPECT_TRUE(grid.IsAffine());
+  EXPECT_FLOAT_EQ(grid.GetMinimum(), static_cast<float>(2 * scene.Geometry.Length));
+  EXPECT_FLOAT_EQ(grid.GetMaximum(), static_cast<float>(2 * scene.Geometry.Length));
+}
+
+//------------------------------------------------------------------------------
+TEST(ExtinctionGrid, AbsorptionAndScatteringAddUp)
+{
+  const auto absorption = MakeImage(Cloud, Points, Size);
+  const auto scattering = MakeImage(Smooth, Points, Size);
+  vtkMediumScene scene = MakeScene(absorption, 5);
+  scene.Content.Fields.push_back(MakeScene(scattering, 1).Content.Fields[0]);
+  scene.Content.ExtinctionIsAbsorption = true;
+  scene.Content.ScatteringIsAlbedo = false;
+  scene.Content.Scattering = Coefficient{ Coefficient::Field, 1, -1, 0, glm::dvec3(2) };
+  vtkMediumExtinctionGrid grid;
+  grid.Build(scene);
+  EXPECT_TRUE(grid.IsAffine());
+  ExpectGridEqualsScene(scene, grid);
+}
+
+//------------------------------------------------------------------------------
+TEST(ExtinctionGrid, DensityScaleIsLeftOut)
+{
+  vtkMediumScene scene = MakeScene(MakeImage(Smooth, Points, Size), 5);
+  vtkMediumExtinctionGrid one, two;
+  one.Build(scene);
+  scene.Content.DensityScale = 2;
+  two.Build(scene);
+  EXPECT_EQ(one.GetValues(), two.GetValues());
+}
+
+//------------------------------------------------------------------------------
+TEST(ExtinctionGrid, NonFiniteValuesFollowTheField)
+{
+  const auto image = MakeImage(Smooth, Points, Size);
+  vtkDataArray* density = image->GetPointData()->GetScalars();
+  density->SetComponent(3, 0, std::numeric_limits<double>::quiet_NaN());
+  density->SetComponent(40, 0, std::numeric_limits<double>::infinity());
+  const vtkMediumScene scene = MakeScene(image, 5);
+  vtkMediumExtinctionGrid grid;
+  grid.Build(scene);
+  const double scale = 5 * scene.Geometry.Length;
+  EXPECT_NEAR(grid.GetValues()[3], scale * scene.Content.Fields[0].Minimum, scale * FloatTolerance);
+  EXPECT_NEAR(grid.GetValues()[40], scale * scene.Content.Fields[0].Maximum, scale * FloatTolerance);
+  ExpectGridEqualsScene(scene, grid);
+}
+
+//------------------------------------------------------------------------------
+TEST(ExtinctionGrid, ReadsOneComponentOfIntegerArrays)
+{
+  const auto image = MakeImage(Smooth, Points, Size);
+  vtkNew<vtkShortArray> pairs;
+  pairs->SetNumberOfComponents(2);
+  pairs->SetNumberOfTuples(image->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    pairs->SetTypedComponent(i, 0, -100);
+    pairs->SetTypedComponent(i, 1, static_cast<short>(i));
+  }
+  vtkMediumScene scene = MakeScene(image, 5);
+  vtkMediumField& field = scene.Content.Fields[0];
+  field.Array = pairs;
+  field.FirstComponent = 1;
+  field.FindRange();
+  vtkMediumExtinctionGrid grid;
+  grid.Build(scene);
+  EXPECT_FLOAT_EQ(grid.GetValues()[17], static_cast<float>(17 * 5 * scene.Geometry.Length));
+  ExpectGridEqualsScene(scene, grid);
+}
