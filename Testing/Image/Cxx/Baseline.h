@@ -4,9 +4,9 @@
  * @file Baseline.h
  * @brief Compares what a window shows with a picture that was looked at and found right.
  *
- * VTK's own comparison hardly sees brightness (9.1 finds no difference between the greys 100 and 60),
- * so pixels are compared as well. And a comparison that accepts anything is no test: each test also
- * draws its scene with one deliberate mistake, and that picture must be rejected.
+ * VTK's own comparison hardly sees brightness (9.1 finds no difference between a grey of 100 and
+ * one of 60), so pixels are compared as well. And a comparison that accepts anything is no test:
+ * each test also draws its scene with one deliberate mistake, and that picture must be rejected.
  */
 #ifndef Baseline_h
 #define Baseline_h
@@ -20,8 +20,8 @@ namespace Baseline
 {
 /// Renders the window and compares it with the baseline (-V FILE among the arguments); then lets
 /// `makeMistake` change the scene, renders again, and wants that picture to be rejected. `mistake`
-/// says what was done. Returns EXIT_SUCCESS or EXIT_FAILURE. With PARTICIPATING_MEDIA_UPDATE_BASELINES
-/// in the environment the baseline is written first.
+/// says what was done. Returns EXIT_SUCCESS or EXIT_FAILURE. With
+/// PARTICIPATING_MEDIA_UPDATE_BASELINES in the environment the baseline is written first.
 int Compare(int argc, char* argv[], vtkRenderWindow* window, const std::string& mistake,
   const std::function<void()>& makeMistake);
 }

@@ -43,6 +43,7 @@ vtkVolume* Stage::AddVolume(vtkImageData* image, vtkVolumeProperty* medium)
 {
   vtkNew<vtkSingleScatteringVolumeMapper> mapper;
   mapper->SetInputData(image);
+  mapper->SetIntegratorToFixedStep();
   vtkNew<vtkVolume> volume;
   volume->SetMapper(mapper);
   volume->SetProperty(medium);

@@ -32,12 +32,12 @@ public:
 
   vtkRenderWindow* GetWindow() { return this->Window; }
 
-  /// A view from column left to right of the window, 0 to 1. A stage without any gets one that fills
-  /// the window at first use. All that is added goes to the newest view.
+  /// A view from column left to right of the window, 0 to 1. A stage without any gets one that
+  /// fills the window at first use. All that is added goes to the newest view.
   vtkRenderer* AddView(double left = 0, double right = 1);
   vtkRenderer* GetView();
 
-  /// A volume with a mapper of its own, at the mapper's defaults.
+  /// A volume with a mapper of its own, which integrates by FixedStep.
   vtkVolume* AddVolume(vtkImageData* image, vtkVolumeProperty* medium);
   static vtkSingleScatteringVolumeMapper* GetMapper(vtkVolume* volume);
 

@@ -7,7 +7,8 @@ import math
 import baseline
 import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
-from vtkmodules.vtkRenderingCore import vtkCamera, vtkColorTransferFunction, vtkVolume, vtkVolumeProperty
+from vtkmodules.vtkRenderingCore import (
+    vtkCamera, vtkColorTransferFunction, vtkVolume, vtkVolumeProperty)
 
 from participating_media import vtkSingleScatteringVolumeMapper
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""A head of formulas in CT numbers (HU, mm) with the preset for CT: bone under a thin fog of skin."""
+"""A head of formulas in CT numbers (HU, mm) with the preset for CT: bone under thin fog of skin."""
 
 import baseline
 import numpy as np
@@ -42,6 +42,7 @@ image = baseline.voxels(64, head)
 image.SetSpacing([MILLIMETRES / 63] * 3)
 image.SetOrigin([-MILLIMETRES / 2] * 3)
 mapper = vtkSingleScatteringVolumeMapper()
+mapper.SetIntegratorToFixedStep()
 mapper.SetInputData(image)
 mapper.SetSampleDistance(2)
 mapper.SetLightSampleDistance(4)

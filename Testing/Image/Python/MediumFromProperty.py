@@ -23,6 +23,7 @@ medium.SetScalarOpacityUnitDistance(0.02)
 medium.SetInterpolationTypeToLinear()
 
 mapper = vtkSingleScatteringVolumeMapper()
+mapper.SetIntegratorToFixedStep()
 mapper.SetInputData(baseline.voxels(56, lambda x, y, z: np.clip(
     1 - 2 * np.sqrt(x * x + y * y + z * z) * (1 + 0.12 * np.cos(14 * x) * np.cos(14 * y)), 0, 1)))
 volume = vtkVolume()

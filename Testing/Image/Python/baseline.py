@@ -16,7 +16,8 @@ from vtkmodules.vtkCommonCore import vtkOutputWindow
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
-from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
+from vtkmodules.vtkRenderingCore import (
+    vtkLight, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter)
 from vtkmodules.vtkTestingRendering import vtkTesting
 
 #: See Cxx/Baseline.cxx for the reasons.
@@ -109,7 +110,7 @@ def _levels(picture: vtkImageData) -> np.ndarray:
 
 
 def _difference(a: vtkImageData, b: vtkImageData) -> tuple[float, float, int]:
-    """Mean, fraction of different pixels and largest difference; all is different if the sizes are."""
+    """Mean, fraction of different pixels, largest difference; all is different if sizes are."""
     if a.GetDimensions() != b.GetDimensions():
         return 255.0, 1.0, 255
     difference = np.abs(_levels(a) - _levels(b))
