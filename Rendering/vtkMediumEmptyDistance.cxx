@@ -192,6 +192,7 @@ void TransformAxis(std::vector<float>& values, const glm::ivec3& n, int axis)
     }
   });
 }
+}
 
 //------------------------------------------------------------------------------
 void vtkMediumEmptyDistance::Build(const vtkMediumScene& scene,

@@ -4,6 +4,7 @@
 
 #include "vtkMediumLatticeRows.h"
 
+#include "vtkSMPThreadLocal.h"
 #include "vtkSMPTools.h"
 
 #include <glm/common.hpp>
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace
 {
@@ -233,9 +235,41 @@ void vtkMediumExtinctionGrid::Build(const vtkMediumScene& scene, int channel)
   {
     apply(medium.Scattering, scene.Geometry.Length, Add);
   }
-  const auto range = std::minmax_element(this->Values.begin(), this->Values.end());
-  this->Minimum = *range.first;
-  this->Maximum = *range.second;
+  this->FindStatistics();
+}
+
+//------------------------------------------------------------------------------
+void vtkMediumExtinctionGrid::FindStatistics()
+{
+  struct Share
+  {
+    float Minimum = std::numeric_limits<float>::infinity();
+    float Maximum = -std::numeric_limits<float>::infinity();
+    vtkIdType Occupied = 0;
+  };
+  vtkSMPThreadLocal<Share> shares;
+  const vtkIdType count = static_cast<vtkIdType>(this->Values.size());
+  vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
+    Share share = shares.Local();
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      const float value = this->Values[i];
+      share.Minimum = std::min(share.Minimum, value);
+      share.Maximum = std::max(share.Maximum, value);
+      share.Occupied += value != 0 ? 1 : 0;
+    }
+    shares.Local() = share;
+  });
+  Share all;
+  for (const Share& share : shares)
+  {
+    all.Minimum = std::min(all.Minimum, share.Minimum);
+    all.Maximum = std::max(all.Maximum, share.Maximum);
+    all.Occupied += share.Occupied;
+  }
+  this->Minimum = all.Minimum;
+  this->Maximum = all.Maximum;
+  this->OccupiedFraction = static_cast<double>(all.Occupied) / count;
 }
 
 //------------------------------------------------------------------------------

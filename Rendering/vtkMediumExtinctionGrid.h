@@ -44,6 +44,8 @@ public:
   const std::vector<float>& GetValues() const { return this->Values; }
   float GetMinimum() const { return this->Minimum; }
   float GetMaximum() const { return this->Maximum; }
+  /// The part of the values that are not 0.
+  double GetOccupiedFraction() const { return this->OccupiedFraction; }
 
   std::size_t GetIndex(int i, int j, int k) const
   {
@@ -80,6 +82,7 @@ public:
 
 private:
   void ChooseLattice(const vtkMediumScene& scene);
+  void FindStatistics();
 
   glm::ivec3 Dimensions{ 0 };
   bool OnCells = false;
@@ -87,6 +90,7 @@ private:
   bool Affine = true;
   float Minimum = 0;
   float Maximum = 0;
+  double OccupiedFraction = 0;
   std::vector<float> Values;
   glm::dmat3 LatticeToLocalAxes{ 1 };
   glm::dmat3 LocalToLatticeAxes{ 1 };

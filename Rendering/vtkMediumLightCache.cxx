@@ -21,6 +21,10 @@ constexpr int Reach = 2;
 // their own grow as it falls. Between 0.5, cheapest on smooth fields, and 1, cheapest on rough ones.
 constexpr double RayDensity = 0.75;
 
+// Slabs need all lattice points, the exact form only those near extinction > 0: below this part of the
+// lattice the exact form is the faster one.
+constexpr double LeastOccupiedForSlabs = 0.15;
+
 //------------------------------------------------------------------------------
 // One row: center - 1/12 of the second differences along x, y and z.
 void Prefilter(const float* center, const float* below, const float* above, const float* front,
@@ -43,8 +47,9 @@ void vtkMediumLightCache::Build(
   this->Marches = 0;
   if (light.Type == vtkMediumScene::Light::Directional)
   {
+    const bool slabs = this->Slabs && grid.GetOccupiedFraction() > LeastOccupiedForSlabs;
     vtkMediumLightStencil stencil;
-    stencil.Build(grid, light.Direction);
+    stencil.Build(grid, light.Direction, slabs);
     stencil.Apply(grid, Reach, this->Depths);
   }
   else

@@ -37,10 +37,15 @@ class VTKPARTICIPATINGMEDIARENDERING_EXPORT vtkMediumLightCache
 {
 public:
   /// The largest estimated error of exp(-tau) at a lattice point that Build leaves, for point and spot
-  /// lights. Default: a quarter of an 8-bit step. Values below rounding, about 1e-6, make every point
+  /// lights. Default: half an 8-bit step. Values below rounding, about 1e-6, make every point
   /// exact, at O(N^4).
   void SetTolerance(double tolerance) { this->Tolerance = tolerance; }
   double GetTolerance() const { return this->Tolerance; }
+
+  /// Whether directional lights are built in the faster form by slabs (vtkMediumLightStencil), for
+  /// while a light is being moved. Default: off, exact.
+  void SetSlabs(bool slabs) { this->Slabs = slabs; }
+  bool GetSlabs() const { return this->Slabs; }
 
   /// Computes the optical depths anew.
   void Build(const vtkMediumExtinctionGrid& grid, const vtkMediumScene::Light& light);
@@ -67,7 +72,8 @@ public:
 private:
   void FilterSlices(double densityScale, bool prefilter, int begin, int end, float* target) const;
 
-  double Tolerance = 0.25 / 255;
+  double Tolerance = 0.5 / 255;
+  bool Slabs = false;
   glm::ivec3 Dimensions{ 0 };
   std::vector<float> Depths;
   int Builds = 0;

@@ -11,6 +11,12 @@
  * A ray may leave the box before its pattern ends. It does so on a lattice plane (half a cell beyond
  * the last one for cell arrays), so only offsets that land on an exit face are affected; each entry
  * carries the weight that remains of it there, for every combination of axes.
+ *
+ * @par Slabs
+ * For a light that is being moved there is a faster form that is not exact: the stencil reaches only
+ * over a slab of 8 to 24 lattice planes along y or z, and the optical depth where its rays end, in a
+ * plane done before, is interpolated by four-point Lagrange polynomials. The thickness is chosen so
+ * that rays end near lattice points.
  */
 #ifndef vtkMediumLightStencil_h
 #define vtkMediumLightStencil_h
@@ -18,7 +24,8 @@
 #include "vtkMediumExtinctionGrid.h"
 #include "vtkParticipatingMediaRenderingModule.h" // for the export macro
 
-#include <cstdint>
+#include <glm/vec2.hpp>
+
 #include <vector>
 
 class VTKPARTICIPATINGMEDIARENDERING_EXPORT vtkMediumLightStencil
@@ -34,7 +41,12 @@ public:
   };
 
   /// Computes the entries for a light that travels along `direction` (local space, unit).
-  void Build(const vtkMediumExtinctionGrid& grid, const glm::dvec3& direction);
+  /// `slabs` chooses the faster form, where there is one for this direction.
+  void Build(
+    const vtkMediumExtinctionGrid& grid, const glm::dvec3& direction, bool slabs = false);
+
+  /// Lattice planes a slab; 0: the stencil reaches through the whole grid and is exact.
+  int GetSlabPlanes() const { return this->SlabPlanes; }
 
   const std::vector<Entry>& GetEntries() const { return this->Entries; }
 
@@ -44,8 +56,14 @@ public:
   void Apply(const vtkMediumExtinctionGrid& grid, int reach, std::vector<float>& tau) const;
 
 private:
+  void ChooseSlab(const glm::dvec3& step, const glm::ivec3& n);
+  void SumWeights(const vtkMediumExtinctionGrid& grid, const glm::dvec3& step, double last);
+
   std::vector<Entry> Entries; ///< sorted by z, y, x
   int ExitPlane[3] = { -1, -1, -1 }; ///< lattice index of the exit face along each axis; -1: none
+  int SlabPlanes = 0;
+  int SlabAxis = 2;           ///< 1 or 2
+  glm::dvec2 SlabOffset{ 0 }; ///< how far rays get across a slab, along x and the other of y and z
 };
 
 #endif

@@ -79,8 +79,10 @@ int main(int argc, char* argv[])
   options.Output = "ct.png";
   options.Size = 512;
   options.Step = 1; // mm
-  options = Picture::ReadOptions(argc, argv, "INPUT is a .vti, .nii, .nii.gz, .mhd, .mha or .nrrd "
-    "file or a folder of DICOM slices, in HU and mm; Examples/Data/cranium.py makes one.", options);
+  options = Picture::ReadOptions(argc, argv,
+    "INPUT is a .vti, .nii, .nii.gz, .mhd, .mha or .nrrd "
+    "file or a folder of DICOM slices, in HU and mm; Examples/Data/cranium.py makes one.",
+    options);
   vtkNew<vtkSingleScatteringVolumeMapper> mapper;
   try
   {

@@ -61,11 +61,12 @@ Shape Rod(int axis, double u, double v, double radius, double low, double high)
   cylinder->SetRadius(radius);
   vtkNew<vtkBox> ends;
   ends->SetBounds(bounds);
-  return Combine(vtkImplicitBoolean::VTK_INTERSECTION, { Shape(cylinder.Get()), Shape(ends.Get()) });
+  return Combine(
+    vtkImplicitBoolean::VTK_INTERSECTION, { Shape(cylinder.Get()), Shape(ends.Get()) });
 }
 
 //------------------------------------------------------------------------------
-// The block, its flange and pipes, less bores, water jackets, crank case, bolt holes and oil channels.
+// The block, its flange and pipes, less bores, water jackets, crank case, holes and oil channels.
 Shape Cast()
 {
   std::vector<Shape> solid = { Box(34, 222, 74, 182, 14, 100), Box(14, 242, 42, 214, 92, 106),
@@ -87,7 +88,8 @@ Shape Cast()
     hollow.push_back(Rod(2, x, 200, 5, 80, 128));
   }
   return Combine(vtkImplicitBoolean::VTK_DIFFERENCE,
-    { Combine(vtkImplicitBoolean::VTK_UNION, solid), Combine(vtkImplicitBoolean::VTK_UNION, hollow) });
+    { Combine(vtkImplicitBoolean::VTK_UNION, solid),
+      Combine(vtkImplicitBoolean::VTK_UNION, hollow) });
 }
 
 //------------------------------------------------------------------------------

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file EngineBlock.h
- * @brief A procedural, non-convex engine-like block: a stand-in for the Engine of the volume library.
+ * @brief A procedural, non-convex engine-like block: a stand-in for the well-known Engine.
  */
 #ifndef EngineBlock_h
 #define EngineBlock_h
@@ -19,7 +19,7 @@ namespace EngineBlock
 /// the cast, 230 in the bolts and cylinder liners.
 vtkSmartPointer<vtkImageData> Make();
 
-/// The real Engine from its raw file; throws a std::runtime_error if it is not 256 x 256 x 128 bytes.
+/// The real Engine from its raw file; throws a std::runtime_error unless it has 8388608 bytes.
 vtkSmartPointer<vtkImageData> Read(const std::string& path);
 }
 

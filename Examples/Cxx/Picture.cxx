@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
 
 namespace
@@ -32,7 +33,8 @@ namespace
     out << program << ": " << mistake << "\n";
   }
   out << "usage: " << program << " [INPUT] [--output PNG] [--size PIXELS] [--step LENGTH]"
-      << " [--interactive]\n" << purpose << "\n";
+      << " [--interactive]\n"
+      << purpose << "\n";
   std::exit(mistake.empty() ? EXIT_SUCCESS : 2);
 }
 
@@ -54,6 +56,12 @@ double PeakRadiance(vtkSingleScatteringVolumeMapper* mapper)
 //------------------------------------------------------------------------------
 bool WritePNG(vtkRenderWindow* window, const std::string& path)
 {
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  std::error_code failure;
+  if (!folder.empty() && (std::filesystem::create_directories(folder, failure), failure))
+  {
+    return false;
+  }
   vtkNew<vtkWindowToImageFilter> frame;
   frame->SetInput(window);
   frame->ReadFrontBufferOff();
@@ -70,7 +78,8 @@ double RenderMilliseconds(vtkRenderWindow* window)
 {
   const auto start = std::chrono::steady_clock::now();
   window->Render();
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+    .count();
 }
 }
 
@@ -137,7 +146,7 @@ int Picture::Finish(vtkRenderWindow* window,
   const double milliseconds = RenderMilliseconds(window);
   if (!WritePNG(window, options.Output))
   {
-    std::cerr << "cannot write " << options.Output << "; give a path in an existing folder\n";
+    std::cerr << "cannot write " << options.Output << "; give another path\n";
     return 2;
   }
   std::cout << options.Output << ": frame " << milliseconds << " ms\n";
@@ -159,6 +168,7 @@ int Picture::Finish(vtkRenderWindow* window,
     vtkNew<vtkInteractorStyleTrackballCamera> trackball;
     interactor->SetRenderWindow(window);
     interactor->SetInteractorStyle(trackball);
+    std::cout << std::flush;
     interactor->Start();
   }
   return EXIT_SUCCESS;

@@ -92,8 +92,8 @@ vtkSmartPointer<vtkImageData> Update(Reader* reader, const std::string& path)
   }
   if (!complaint.empty())
   {
-    throw std::runtime_error(path + ": " + reader->GetClassName() + " cannot read it: " + complaint +
-      "; give a complete file of that kind");
+    throw std::runtime_error(path + ": " + reader->GetClassName() +
+      " cannot read it: " + complaint + "; give a complete file of that kind");
   }
   return image;
 }
@@ -149,6 +149,7 @@ vtkSmartPointer<vtkImageData> VolumeReader::Read(const std::string& path)
   {
     return ReadFile<vtkNrrdReader>(path);
   }
-  throw std::runtime_error(path + ": unknown kind of file; expected a DICOM folder or one of .vti "
-                                  ".nii .nii.gz .mhd .mha .nrrd .nhdr");
+  throw std::runtime_error(path +
+    ": unknown kind of file; expected a DICOM folder or one of .vti "
+    ".nii .nii.gz .mhd .mha .nrrd .nhdr");
 }

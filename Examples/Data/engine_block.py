@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""A procedural, non-convex engine-like block: a stand-in for the Engine of the volume library.
+"""A procedural, non-convex engine-like block: a stand-in for the well-known Engine.
 
 256 x 256 x 128 voxels of uint8 with spacing 1, as the real one: 0 outside, 120 in the cast, 230 in
 the bolts and cylinder liners. Run as a script, it writes the block as a .vti file.
@@ -63,7 +63,8 @@ def cast():
         "Union", box(34, 222, 74, 182, 14, 100), box(14, 242, 42, 214, 92, 106),
         *[rod(2, at, 46, 14, 112) for at in bores], *[rod(1, at, 20, 18, 90) for at in pipes],
         rod(0, (182, 36), 26, 22, 234))
-    jackets = [combine("Difference", rod(2, at, 43, 34, 86), rod(2, at, 37, 30, 90)) for at in bores]
+    jackets = [combine("Difference", rod(2, at, 43, 34, 86), rod(2, at, 37, 30, 90))
+               for at in bores]
     hollow = combine(
         "Union", *[rod(2, at, 30, 0, 128) for at in bores], *jackets,
         *[rod(1, at, 13, 0, 100) for at in pipes], rod(0, (128, 26), 18, 0, 256),

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Joins the pictures of CT.py and FogCube.py to the one in the README: the CT on the left, the three
-modes of the cube, each a third as high, on the right.
+"""Joins the pictures of CT.py and FogCube.py to the one in the README: the CT on the left, on the
+right the three modes of the cube, each a third as high.
 
     CT.py --size 600 --output ct.png; FogCube.py --size 200 --output cube.png
     montage.py ct.png cube.png --output Module/Documentation/images/examples.png

@@ -26,12 +26,14 @@ constexpr double vtkMediumMaximumOpacity = 1.0 - 1.0 / 16777216.0;
 constexpr double vtkMediumAlbedoTolerance = 1e-6;
 
 /// sigma_t(s) = -ln(1 - alpha(s)) / ScalarOpacityUnitDistance; the colour function is the albedo.
-std::string vtkMediumContentFromProperty(vtkMediumScene::Medium& content, vtkImageData* input,
-  vtkDataArray* scalars, bool onCells, vtkVolumeProperty* property, double anisotropy);
+std::string vtkMediumContentFromProperty(vtkMediumScene::Medium& content,
+  std::vector<vtkMediumScene::ColorTable>& tables, vtkImageData* input, vtkDataArray* scalars,
+  bool onCells, vtkVolumeProperty* property, double anisotropy);
 
 /// The coefficients as the medium states them. `scalars` may be null as long as none is asked for.
-std::string vtkMediumContentFromMedium(vtkMediumScene::Medium& content, vtkImageData* input,
-  vtkDataArray* scalars, bool onCells, vtkVolumeProperty* property, vtkParticipatingMedium* medium);
+std::string vtkMediumContentFromMedium(vtkMediumScene::Medium& content,
+  std::vector<vtkMediumScene::ColorTable>& tables, vtkImageData* input, vtkDataArray* scalars,
+  bool onCells, vtkVolumeProperty* property, vtkParticipatingMedium* medium);
 
 /// The phase function of the medium, but for an anisotropy that varies.
 std::string vtkMediumPhaseFromMedium(
@@ -42,9 +44,10 @@ std::string vtkMediumPhaseFromMedium(
 std::string vtkMediumFieldFromArray(vtkMediumField& field, vtkImageData* input, vtkDataArray* array,
   bool onCells, vtkVolumeProperty* property);
 
-/// The colours of a transfer function at `count` equally spaced values of [minimum, maximum].
-std::vector<glm::dvec3> vtkMediumSampleColors(
-  vtkColorTransferFunction* function, double minimum, double maximum, int count);
+/// The colours of a transfer function at the values that vtkMediumFunction samples in [minimum,
+/// maximum]: from `tables` if they are there, else sampled and added.
+std::vector<glm::dvec3> vtkMediumSampleColors(std::vector<vtkMediumScene::ColorTable>& tables,
+  vtkColorTransferFunction* function, double minimum, double maximum);
 
 ///@{
 /// Appends the values where a transfer function is not smooth: its nodes, and the midpoints between

@@ -66,6 +66,7 @@ std::string CheckRange(const Law& law, const std::string& what, double minimum, 
 struct Lowering
 {
   vtkMediumScene::Medium& Content;
+  std::vector<vtkMediumScene::ColorTable>& ColorTables;
   vtkImageData* Input;
   vtkDataArray* Scalars;
   bool OnCells;
@@ -263,8 +264,8 @@ std::string Lowering::LowerFunction(Coefficient& result, const Law& law, const S
   std::vector<glm::dvec3> colors;
   if (source.ColorFunction)
   {
-    colors = vtkMediumSampleColors(
-      source.ColorFunction, field.Minimum, field.Maximum, vtkMediumFunction::DefaultIntervals + 1);
+    colors =
+      vtkMediumSampleColors(this->ColorTables, source.ColorFunction, field.Minimum, field.Maximum);
   }
   std::size_t index = 0; // the values come in ascending order
   std::string invalid;
@@ -355,8 +356,9 @@ bool HasAnisotropy(vtkMediumScene::Phases phase)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkMediumContentFromMedium(vtkMediumScene::Medium& content, vtkImageData* input,
-  vtkDataArray* scalars, bool onCells, vtkVolumeProperty* property, vtkParticipatingMedium* medium)
+std::string vtkMediumContentFromMedium(vtkMediumScene::Medium& content,
+  std::vector<vtkMediumScene::ColorTable>& tables, vtkImageData* input, vtkDataArray* scalars,
+  bool onCells, vtkVolumeProperty* property, vtkParticipatingMedium* medium)
 {
   using M = vtkParticipatingMedium;
   content.ExtinctionIsAbsorption = medium->GetParametrization() == M::AbsorptionAndScattering;
@@ -364,7 +366,7 @@ std::string vtkMediumContentFromMedium(vtkMediumScene::Medium& content, vtkImage
   content.DensityScale = medium->GetDensityScale() / medium->GetLengthUnit();
 
   const bool absorption = content.ExtinctionIsAbsorption;
-  Lowering lowering{ content, input, scalars, onCells, property, {} };
+  Lowering lowering{ content, tables, input, scalars, onCells, property, {} };
   std::string problem = CheckUnits(medium);
   const auto lower = [&](Coefficient& result, const Law& law, M::Coefficients coefficient) {
     if (problem.empty())

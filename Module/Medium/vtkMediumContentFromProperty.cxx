@@ -7,8 +7,6 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkVolumeProperty.h"
 
-#include <glm/common.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -25,7 +23,8 @@ double Extinction(double opacity, double unitDistance)
 //------------------------------------------------------------------------------
 // Both functions in one table (albedo, extinction), sampled by VTK itself, so that every colour
 // space, scale, midpoint and sharpness means here what it means elsewhere in VTK.
-vtkMediumFunction SampleProperty(vtkVolumeProperty* property, double minimum, double maximum)
+vtkMediumFunction SampleProperty(std::vector<vtkMediumScene::ColorTable>& tables,
+  vtkVolumeProperty* property, double minimum, double maximum)
 {
   vtkPiecewiseFunction* opacity = property->GetScalarOpacity();
   const double unit = property->GetScalarOpacityUnitDistance();
@@ -37,9 +36,8 @@ vtkMediumFunction SampleProperty(vtkVolumeProperty* property, double minimum, do
   vtkMediumAppendKnots(knots, opacity);
   grey ? vtkMediumAppendKnots(knots, greyAlbedo) : vtkMediumAppendKnots(knots, albedo);
 
-  const std::vector<glm::dvec3> colors = grey
-    ? std::vector<glm::dvec3>()
-    : vtkMediumSampleColors(albedo, minimum, maximum, vtkMediumFunction::DefaultIntervals + 1);
+  const std::vector<glm::dvec3> colors =
+    grey ? std::vector<glm::dvec3>() : vtkMediumSampleColors(tables, albedo, minimum, maximum);
   std::size_t index = 0; // the values come in ascending order
   vtkMediumFunction function;
   function.Sample(minimum, maximum, knots, [&](double value) {
@@ -98,48 +96,6 @@ void AppendKnots(std::vector<double>& knots, Function* function, int midpoint)
 }
 
 //------------------------------------------------------------------------------
-// VTK is asked for each colour by itself: its tables (9.1) are black where a value meets the first
-// node, and are spaced logarithmically on a logarithmic scale. CIEDE2000 is the exception: it
-// searches a path through the colour space for 30 ms at each call, so its colours are looked up in
-// one dense table.
-std::vector<glm::dvec3> vtkMediumSampleColors(
-  vtkColorTransferFunction* function, double minimum, double maximum, int count)
-{
-  std::vector<glm::dvec3> colors(count), table;
-  const double first = function->GetRange()[0], last = function->GetRange()[1];
-  if (function->GetColorSpace() == VTK_CTF_LAB_CIEDE2000 && last > first)
-  {
-    table.resize(16 * count); // its intervals are a sixteenth of ours or less
-    function->GetTable(first, last, static_cast<int>(table.size()), &table[0][0]);
-  }
-  glm::dvec3 below, above;
-  function->GetColor(minimum, &below[0]);
-  function->GetColor(maximum, &above[0]);
-  const bool logarithmic = function->GetScale() == VTK_CTF_LOG10 && first > 0;
-  for (int i = 0; i < count; ++i)
-  {
-    const double value = minimum + (maximum - minimum) * i / (count - 1);
-    if (table.empty())
-    {
-      function->GetColor(value, &colors[i][0]);
-    }
-    else if (value < first || value > last)
-    {
-      colors[i] = value < first ? below : above;
-    }
-    else
-    {
-      const double fraction = logarithmic ? std::log(value / first) / std::log(last / first)
-                                          : (value - first) / (last - first);
-      const double position = fraction * (table.size() - 1);
-      const std::size_t index = std::min(static_cast<std::size_t>(position), table.size() - 2);
-      colors[i] = glm::mix(table[index], table[index + 1], position - index);
-    }
-  }
-  return colors;
-}
-
-//------------------------------------------------------------------------------
 void vtkMediumAppendKnots(std::vector<double>& knots, vtkPiecewiseFunction* function)
 {
   AppendKnots(knots, function, 2); // (value, y, midpoint, sharpness)
@@ -185,8 +141,9 @@ std::string vtkMediumFieldFromArray(vtkMediumField& field, vtkImageData* input, 
 }
 
 //------------------------------------------------------------------------------
-std::string vtkMediumContentFromProperty(vtkMediumScene::Medium& content, vtkImageData* input,
-  vtkDataArray* scalars, bool onCells, vtkVolumeProperty* property, double anisotropy)
+std::string vtkMediumContentFromProperty(vtkMediumScene::Medium& content,
+  std::vector<vtkMediumScene::ColorTable>& tables, vtkImageData* input, vtkDataArray* scalars,
+  bool onCells, vtkVolumeProperty* property, double anisotropy)
 {
   std::ostringstream problem;
   if (!(property->GetScalarOpacityUnitDistance() > 0))
@@ -216,7 +173,7 @@ std::string vtkMediumContentFromProperty(vtkMediumScene::Medium& content, vtkIma
   {
     return invalid;
   }
-  content.Functions.push_back(SampleProperty(property, field.Minimum, field.Maximum));
+  content.Functions.push_back(SampleProperty(tables, property, field.Minimum, field.Maximum));
   content.Fields.push_back(field);
   invalid = CheckSamples(content.Functions.back());
   if (!invalid.empty())

@@ -128,10 +128,10 @@ std::string vtkMediumScene::GatherVolume(vtkImageData* input, vtkDataArray* scal
       return problem;
     }
   }
-  return medium ? vtkMediumContentFromMedium(
-                    this->Content, input, scalars, onCells, volume->GetProperty(), medium)
-                : vtkMediumContentFromProperty(
-                    this->Content, input, scalars, onCells, volume->GetProperty(), anisotropy);
+  return medium ? vtkMediumContentFromMedium(this->Content, this->ColorTables, input, scalars,
+                    onCells, volume->GetProperty(), medium)
+                : vtkMediumContentFromProperty(this->Content, this->ColorTables, input, scalars,
+                    onCells, volume->GetProperty(), anisotropy);
 }
 
 //------------------------------------------------------------------------------

@@ -195,7 +195,20 @@ public:
   /// The coefficients at a box coordinate, as the equation of single scattering needs them.
   Coefficients Evaluate(const glm::dvec3& box) const;
 
+  /// The colours of a transfer function at equally spaced values of a range, kept from one
+  /// gathering to the next: VTK needs up to a second for them. A modification time belongs to one
+  /// function.
+  struct ColorTable
+  {
+    vtkMTimeType Time = 0;
+    double Minimum = 0;
+    double Maximum = 0;
+    std::vector<glm::dvec3> Colors;
+  };
+
 private:
+  std::vector<ColorTable> ColorTables;
+
   glm::dvec3 EvaluateCoefficient(
     const Coefficient& coefficient, const std::vector<glm::dvec4>& fields) const;
 };

@@ -34,6 +34,7 @@ SPECTRUM exactCellDepth(vec3 start, vec3 along, float a, float b)
 
 int exactIterations = 0; // loop iterations that this draw has spent on light rays
 
+#ifdef LIT
 // From a point to a light.
 SPECTRUM lightTransmittance(int number, vec3 point, Light light)
 {
@@ -51,3 +52,4 @@ SPECTRUM lightTransmittance(int number, vec3 point, Light light)
   }
   return transmittance(sum);
 }
+#endif

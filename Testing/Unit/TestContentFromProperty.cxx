@@ -105,6 +105,32 @@ TEST(ContentFromProperty, AlbedoIsVTKsColourInEveryColourSpaceAndScale)
   }
 }
 
+TEST(ContentFromProperty, AChangedColourFunctionIsSampledAnew)
+{
+  RampInput input;
+  input.Property->GetScalarOpacity()->AddPoint(0, 0.5);
+  vtkColorTransferFunction* color = input.Property->GetRGBTransferFunction();
+  const auto albedo = [&]() {
+    EXPECT_EQ(
+      input.Scene.GatherVolume(input.Image, input.Scalars, false, input.Volume, nullptr, 0), "");
+    const auto found = input.AtPoint(1024, 0, 0);
+    return found.Scattering.g / found.Extinction.g;
+  };
+  EXPECT_NEAR(albedo(), 1, 1e-12);
+  color->AddRGBPoint(0, 0.25, 0.25, 0.25);
+  EXPECT_NEAR(albedo(), 0.25, 1e-12);
+  EXPECT_NEAR(albedo(), 0.25, 1e-12);
+  input.Scalars->SetComponent(0, 0, -4096); // another range
+  input.Scalars->Modified();
+  color->AddRGBPoint(2048, 0.75, 0.75, 0.75);
+  EXPECT_NEAR(albedo(), 0.5, 1e-12);
+  for (int i = 0; i < 20; ++i)
+  {
+    color->AddRGBPoint(0, 0.02 * i, 0.02 * i, 0.02 * i);
+    EXPECT_NEAR(albedo(), 0.5 * (0.02 * i + 0.75), 1e-12);
+  }
+}
+
 TEST(ContentFromProperty, MidpointAndSharpnessOfTheOpacityAreVTKs)
 {
   RampInput input;

@@ -271,6 +271,36 @@ TEST(LightStencil, ReachLeavesOutOnlyWhatIsPromisedToBeUnused)
 }
 
 //------------------------------------------------------------------------------
+TEST(LightStencil, SlabsStayCloseToTheExactForm)
+{
+  for (bool onCells : { false, true })
+  {
+    const vtkMediumExtinctionGrid grid = MakeGrid(Smooth, onCells);
+    int inSlabs = 0;
+    for (const glm::dvec3& direction : Directions())
+    {
+      const glm::dvec3 unit = glm::normalize(direction);
+      vtkMediumLightStencil exact, slabs;
+      exact.Build(grid, unit);
+      slabs.Build(grid, unit, true);
+      EXPECT_EQ(exact.GetSlabPlanes(), 0);
+      std::vector<float> exactTau, slabTau;
+      exact.Apply(grid, 2, exactTau);
+      slabs.Apply(grid, 2, slabTau);
+      for (std::size_t i = 0; i < exactTau.size(); ++i)
+      {
+        // One interpolation here; its error falls with the fourth power of the lattice spacing inside
+        // the box, and is larger where rays leave it within the interpolation's nodes.
+        ASSERT_NEAR(std::exp(-slabTau[i]), std::exp(-exactTau[i]), 8.0 / 255)
+          << "light along " << direction.x << " " << direction.y << " " << direction.z;
+      }
+      inSlabs += slabs.GetSlabPlanes() > 0 ? 1 : 0;
+    }
+    EXPECT_GT(inSlabs, 20);
+  }
+}
+
+//------------------------------------------------------------------------------
 // Positions in local units, where the box has the half edges 0.39, 0.27 and 0.16.
 class PointLights : public testing::TestWithParam<glm::dvec3>
 {

@@ -24,7 +24,7 @@ EXPOSED_PEAK = 0.95
 #: Names as the mapper has them, SetOutputTo… and SetIntegratorTo….
 MODES = ("radiance", "first-hit", "distance", "transmittance", "optical-depth", "depth",
          "sample-count")
-INTEGRATORS = ("fixed-step", "paper", "exact")
+INTEGRATORS = ("fixed-step", "paper", "error-controlled", "exact")
 
 
 def _number(low: float, high: float):

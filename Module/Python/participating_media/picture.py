@@ -23,7 +23,7 @@ class RenderingError(RuntimeError):
 
 
 def require_display() -> None:
-    """Raises :class:`RenderingError` where VTK could only abort: before 9.4 it needs an X display."""
+    """Raises :class:`RenderingError` where VTK could only abort: before 9.4 it needs X."""
     version = (vtkVersion.GetVTKMajorVersion(), vtkVersion.GetVTKMinorVersion())
     if sys.platform.startswith("linux") and version < (9, 4) and not os.environ.get("DISPLAY"):
         raise RenderingError("no X display, which this VTK needs; run it under 'xvfb-run -a'")
@@ -88,7 +88,8 @@ def statistics_line(mapper: vtkSingleScatteringVolumeMapper) -> str:
     """What the mapper did in its last frame, in one line."""
     done = mapper.GetStatistics()
     line = (f"integrated {done.GetIntegrateMilliseconds():.1f} ms in {done.GetPasses()} passes, "
-            f"largest value {peak_radiance(mapper):.3f}, {done.GetGPUBytes() / 2**20:.1f} MiB of textures")
+            f"largest value {peak_radiance(mapper):.3f}, "
+            f"{done.GetGPUBytes() / 2**20:.1f} MiB of textures")
     if done.GetCountTaps():
         line += f", {done.GetRays()} rays, {done.GetTaps()} taps"
     return line

@@ -1,0 +1,264 @@
+// SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
+// SPDX-License-Identifier: BSD-3-Clause
+// A plan decides what a scene needs and what it does not; each decision is a row here.
+#include "vtkMediumPlan.h"
+#include "vtkSingleScatteringVolumeMapper.h"
+
+#include "vtkFloatArray.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace
+{
+using Mapper = vtkSingleScatteringVolumeMapper;
+using Coefficient = vtkMediumScene::Coefficient;
+using Settings = vtkMediumPlan::Settings;
+using Device = vtkMediumPlan::Capabilities;
+
+// A cube of 100^3 points whose extinction is one linear array, under one directional light.
+vtkMediumScene MakeScene()
+{
+  vtkMediumScene scene;
+  vtkMediumField field;
+  field.Array = vtkSmartPointer<vtkFloatArray>::New();
+  field.Dimensions = { 100, 100, 100 };
+  field.Maximum = 1;
+  scene.Scalars = field;
+  scene.Content.Fields.push_back(field);
+  scene.Content.Extinction = { Coefficient::Field, 0, -1, -1, glm::dvec3(2) };
+  scene.Content.Scattering.Scale = glm::dvec3(1);
+  scene.Geometry.Length = 10;
+  scene.Geometry.VoxelLength = 0.1;
+  scene.Lights.resize(1);
+  scene.Lights[0].Irradiance = glm::dvec3(1);
+  return scene;
+}
+
+Settings With(int integrator)
+{
+  Settings settings;
+  settings.Integrator = integrator;
+  return settings;
+}
+
+bool Has(const vtkMediumPlan& plan, const std::string& define)
+{
+  return plan.ShaderDefines.find("#define " + define) != std::string::npos;
+}
+
+bool Reads(const vtkMediumPlan& plan, const std::string& file)
+{
+  for (const std::string& name : plan.ShaderFiles)
+  {
+    if (name == file)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+}
+
+//------------------------------------------------------------------------------
+TEST(Plan, FollowsNoLightRayWhereNothingScattersOrShines)
+{
+  vtkMediumScene dark = MakeScene(), black = MakeScene();
+  dark.Lights.clear();
+  black.Content.Scattering.Scale = glm::dvec3(0);
+  for (const vtkMediumScene& scene : { dark, black })
+  {
+    for (int integrator : { Mapper::FixedStep, Mapper::ErrorControlled, Mapper::Exact })
+    {
+      const vtkMediumPlan plan(scene, With(integrator), Device());
+      EXPECT_TRUE(plan.Refusal.empty()) << plan.Refusal;
+      EXPECT_FALSE(plan.Lit);
+      EXPECT_EQ(plan.CachedLights, 0);
+      EXPECT_FALSE(Has(plan, "LIT"));
+      EXPECT_FALSE(Reads(plan, "LightRay") || Reads(plan, "LightCache"));
+    }
+  }
+  EXPECT_TRUE(vtkMediumPlan(MakeScene(), With(Mapper::FixedStep), Device()).Lit);
+}
+
+//------------------------------------------------------------------------------
+TEST(Plan, FollowsNoLightRayForDistancesAndOpticalDepths)
+{
+  for (int output : { Mapper::FirstHit, Mapper::Distance, Mapper::Transmittance,
+         Mapper::OpticalDepth, Mapper::Depth })
+  {
+    Settings settings = With(Mapper::FixedStep);
+    settings.Output = output;
+    EXPECT_FALSE(vtkMediumPlan(MakeScene(), settings, Device()).Lit) << output;
+  }
+  Settings mean = With(Mapper::FixedStep);
+  mean.Output = Mapper::Depth;
+  mean.DepthDefinition = Mapper::MeanScatteringDepth;
+  EXPECT_TRUE(vtkMediumPlan(MakeScene(), mean, Device()).Lit);
+}
+
+//------------------------------------------------------------------------------
+TEST(Plan, CachesLightsOnlyWhereOneGreyTrilinearLookUpIsRight)
+{
+  const Settings settings = With(Mapper::ErrorControlled);
+  vtkMediumScene scene = MakeScene();
+  EXPECT_EQ(vtkMediumPlan(scene, settings, Device()).CachedLights, 1);
+
+  vtkMediumScene chromatic = scene, nearest = scene, many = scene, plain = scene;
+  chromatic.Content.ChromaticExtinction = true;
+  nearest.Content.Fields[0].Linear = false;
+  many.Lights.resize(vtkMediumPlan::MostCachedLights + 1, scene.Lights[0]);
+  for (const vtkMediumScene& other : { chromatic, nearest, many })
+  {
+    const vtkMediumPlan plan(other, settings, Device());
+    EXPECT_EQ(plan.CachedLights, 0);
+    EXPECT_TRUE(Reads(plan, "LightRay"));
+  }
+  EXPECT_EQ(vtkMediumPlan(plain, With(Mapper::FixedStep), Device()).CachedLights, 0);
+}
+
+//------------------------------------------------------------------------------
+TEST(Plan, KeepsLightCachesWithinTheirMemory)
+{
+  const vtkMediumScene scene = MakeScene();
+  Settings settings = With(Mapper::ErrorControlled);
+  settings.LightCacheBytes = 2 * 100 * 100 * 100;
+  EXPECT_EQ(vtkMediumPlan(scene, settings, Device()).CachedLights, 1);
+  --settings.LightCacheBytes;
+  EXPECT_EQ(vtkMediumPlan(scene, settings, Device()).CachedLights, 0);
+}
+
+//------------------------------------------------------------------------------
+TEST(Plan, PutsNoNumberIntoTheProgram)
+{
+  const vtkMediumScene scene = MakeScene();
+  vtkMediumScene other = scene;
+  other.Content.Extinction.Scale *= 3.0;
+  other.Content.DensityScale = 7;
+  other.Content.Scattering.Scale = glm::dvec3(0.5, 0.25, 0.125);
+  other.Lights[0].Irradiance = glm::dvec3(9, 8, 7);
+  other.Lights[0].Direction = glm::dvec3(1, 0, 0);
+  other.Geometry.Length = 12;
+  for (int integrator :
+    { Mapper::Paper, Mapper::FixedStep, Mapper::ErrorControlled, Mapper::Exact })
+  {
+    Settings changed = With(integrator);
+    changed.TransmittanceThreshold = 0.25;
+    changed.Jitter = 0.125;
+    const vtkMediumPlan plan(scene, With(integrator), Device());
+    const vtkMediumPlan next(other, changed, Device());
+    EXPECT_EQ(plan.ShaderDefines, next.ShaderDefines);
+    EXPECT_EQ(plan.ShaderFiles, next.ShaderFiles);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(Plan, LeavesOutWhatTheSceneLacks)
+{
+  vtkMediumScene scene = MakeScene();
+  const Settings settings = With(Mapper::FixedStep);
+  const vtkMediumPlan plain(scene, settings, Device());
+  EXPECT_FALSE(Has(plain, "POSITIONAL_LIGHTS") || Has(plain, "SPOT_LIGHTS"));
+  EXPECT_FALSE(Has(plain, "EMISSION(box)"));
+  EXPECT_FALSE(Has(plain, "CHROMATIC_EXTINCTION"));
+  EXPECT_FALSE(Has(plain, "COUNT_TAPS"));
+  EXPECT_TRUE(Has(plain, "PHASE(cosTheta, g) phaseIsotropic()")); // g is 0
+
+  scene.Lights[0].Type = vtkMediumScene::Light::Spot;
+  scene.Content.Emission.Scale = glm::dvec3(1);
+  scene.Content.Anisotropy.Scale = glm::dvec3(0.5);
+  scene.Content.ChromaticExtinction = true;
+  const vtkMediumPlan rich(scene, settings, Device());
+  EXPECT_TRUE(Has(rich, "POSITIONAL_LIGHTS") && Has(rich, "SPOT_LIGHTS"));
+  EXPECT_TRUE(Has(rich, "EMISSION(box)"));
+  EXPECT_TRUE(Has(rich, "CHROMATIC_EXTINCTION"));
+  EXPECT_TRUE(Has(rich, "PHASE(cosTheta, g) phaseHenyeyGreenstein"));
+}
+
+//------------------------------------------------------------------------------
+// Mesa's software renderers end a fragment's loops, in silence, after 65,536 iterations in one draw.
+TEST(Plan, KeepsEveryDrawWithinTheLoopLimit)
+{
+  vtkMediumScene scene = MakeScene();
+  const Device device;
+  for (double step : { 1.0, 0.1, 0.01, 1e-3, 1e-4, 1e-9 })
+  {
+    for (int lights : { 0, 1, 3, 40 })
+    {
+      scene.Lights.resize(lights, MakeScene().Lights[0]);
+      Settings settings = With(Mapper::FixedStep);
+      settings.SampleDistance = step;
+      const vtkMediumPlan plan(scene, settings, device);
+      const double eyeSteps = std::ceil(1 / plan.EyeStep);
+      const double lightIterations =
+        std::ceil(1 / (plan.LightStep * vtkMediumPlan::LightTapsPerIteration));
+      int light = 0, next = 0;
+      for (const vtkMediumPlan::Pass& pass : plan.Passes)
+      {
+        const double iterations = (pass.LastStep - pass.FirstStep) *
+          (1 + (pass.LastLight - pass.FirstLight) * (1 + lightIterations));
+        EXPECT_LE(iterations, device.LoopIterations) << step << ' ' << lights;
+        // Draws follow each other without a gap: all steps for some lights, then for the next ones.
+        EXPECT_EQ(pass.FirstLight, light);
+        EXPECT_EQ(pass.FirstStep, next);
+        next = pass.LastStep;
+        if (next >= eyeSteps + 2)
+        {
+          light = pass.LastLight;
+          next = 0;
+        }
+      }
+      EXPECT_EQ(light, lights);
+      EXPECT_EQ(next, 0);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(Plan, TakesOneVoxelForAStepThatIsNotSet)
+{
+  const vtkMediumScene scene = MakeScene();
+  Settings settings = With(Mapper::FixedStep);
+  EXPECT_DOUBLE_EQ(vtkMediumPlan(scene, settings, Device()).EyeStep, 0.01);
+  settings.SampleDistance = 0.5;
+  EXPECT_DOUBLE_EQ(vtkMediumPlan(scene, settings, Device()).LightStep, 0.05);
+  settings.LightSampleDistance = 0.25;
+  EXPECT_DOUBLE_EQ(vtkMediumPlan(scene, settings, Device()).LightStep, 0.025);
+}
+
+//------------------------------------------------------------------------------
+TEST(Plan, RefusesNumbersWithoutMeaningAndNamesThem)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  struct Row
+  {
+    double Settings::*Member;
+    double Value;
+    const char* Named;
+  };
+  for (const Row& row : { Row{ &Settings::SampleDistance, -0.5, "-0.5" },
+         Row{ &Settings::SampleDistance, nan, "nan" },
+         Row{ &Settings::LightSampleDistance, -2, "-2" }, Row{ &Settings::Jitter, 1, "1" },
+         Row{ &Settings::Jitter, nan, "nan" }, Row{ &Settings::TransmittanceThreshold, 1.5, "1.5" },
+         Row{ &Settings::MaximumError, 0, "0" }, Row{ &Settings::DepthTransmittance, 1, "1" },
+         Row{ &Settings::PaperThreshold, 7, "7" }, Row{ &Settings::PaperThreshold, nan, "nan" } })
+  {
+    Settings settings = With(Mapper::Paper);
+    settings.*row.Member = row.Value;
+    const vtkMediumPlan plan(MakeScene(), settings, Device());
+    EXPECT_NE(plan.Refusal.find(row.Named), std::string::npos) << plan.Refusal;
+    EXPECT_NE(plan.Refusal.find("Set"), std::string::npos) << "names the setter that mends it";
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(Plan, NamesBothNumbersBeyondTheTextureLimit)
+{
+  Device device;
+  device.TextureSize3D = 64;
+  const vtkMediumPlan plan(MakeScene(), With(Mapper::FixedStep), device);
+  EXPECT_NE(plan.Refusal.find("100"), std::string::npos) << plan.Refusal;
+  EXPECT_NE(plan.Refusal.find("64"), std::string::npos) << plan.Refusal;
+}

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The step control sees only images; here they come from known convergence laws.
+#include "vtkMediumStepControl.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+constexpr double Voxel = 0.01;
+constexpr double Peak = 2;
+
+vtkMediumScene MakeScene()
+{
+  vtkMediumScene scene;
+  scene.Eye.Origin = { 0, 0, 3 };
+  scene.Lights.resize(1);
+  return scene;
+}
+
+// Pixels whose error is factor x (step / voxel)^order of the peak.
+vtkMediumStepControl::Probe Law(double factor, double order)
+{
+  return [=](double step) {
+    const double error = factor * std::pow(step / Voxel, order);
+    const float bright = static_cast<float>(Peak);
+    const float wrong = static_cast<float>(0.5 * Peak * (1 + 2 * error));
+    return std::vector<float>{ bright, bright, bright, 1, wrong, 0, 0, 1 };
+  };
+}
+}
+
+//------------------------------------------------------------------------------
+// Twice the worst probe's error must meet the maximum, and the step must not be much finer than that.
+TEST(StepControl, MeetsTheErrorWithoutWaste)
+{
+  for (double order : { 1.0, 2.0 })
+  {
+    for (double factor : { 1e-4, 1e-3, 1e-2 })
+    {
+      vtkMediumStepControl control;
+      const double maximum = 1.0 / 255;
+      control.Calibrate(MakeScene(), maximum, Voxel, Law(factor, order));
+      const double error = factor * std::pow(control.GetStep() / Voxel, order);
+      EXPECT_LE(error, maximum) << order << ' ' << factor;
+      const bool coarsest = control.GetStep() > 7 * Voxel;
+      EXPECT_TRUE(coarsest || error > maximum / 12) << order << ' ' << factor << ' ' << error;
+      EXPECT_GE(control.GetEstimatedError() * 1.01, error);
+      EXPECT_LE(control.GetEstimatedError(), 6 * error + 1e-9);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(StepControl, EndsOnImagesThatDoNotConverge)
+{
+  vtkMediumStepControl control;
+  int calls = 0;
+  control.Calibrate(MakeScene(), 1e-6, Voxel, [&](double) {
+    ++calls;
+    return std::vector<float>{ static_cast<float>(calls % 2), 1, 1, 1 };
+  });
+  EXPECT_LE(calls, 10);
+  EXPECT_GT(control.GetStep(), 0);
+  EXPECT_GT(control.GetEstimatedError(), 1e-6) << "it must not claim what it did not reach";
+}
+
+//------------------------------------------------------------------------------
+TEST(StepControl, TakesLongStepsThroughAnImageWithoutLight)
+{
+  vtkMediumStepControl control;
+  control.Calibrate(
+    MakeScene(), 1.0 / 255, Voxel, [](double) { return std::vector<float>(8, 0.0f); });
+  EXPECT_GT(control.GetStep(), 4 * Voxel);
+  EXPECT_EQ(control.GetEstimatedError(), 0);
+}
+
+//------------------------------------------------------------------------------
+TEST(StepControl, IsRepeatedOnlyForMaterialChanges)
+{
+  vtkMediumStepControl control;
+  vtkMediumScene scene = MakeScene();
+  const double maximum = 1.0 / 255;
+  EXPECT_FALSE(control.IsCalibrated(scene, maximum));
+  control.Calibrate(scene, maximum, Voxel, Law(1e-3, 2));
+  EXPECT_TRUE(control.IsCalibrated(scene, maximum));
+
+  vtkMediumScene moved = scene;
+  moved.Eye.Origin += glm::dvec3(0.1, 0, 0);
+  EXPECT_TRUE(control.IsCalibrated(moved, maximum)) << "a small move";
+  moved.Eye.Origin = { 3, 0, 0 };
+  EXPECT_FALSE(control.IsCalibrated(moved, maximum)) << "another side";
+
+  EXPECT_FALSE(control.IsCalibrated(scene, maximum / 2)) << "another error";
+  vtkMediumScene relit = scene;
+  relit.Lights[0].Direction = { 1, 0, 0 };
+  EXPECT_FALSE(control.IsCalibrated(relit, maximum)) << "another light";
+  vtkMediumScene denser = scene;
+  denser.Content.DensityScale = 3;
+  EXPECT_FALSE(control.IsCalibrated(denser, maximum)) << "another density";
+}
