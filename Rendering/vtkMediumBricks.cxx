@@ -90,38 +90,40 @@ void vtkMediumBricks::ReadRanges(
   const glm::ivec3 n = this->Dimensions, count = this->Count;
   const glm::dvec2 nothing(field.Maximum, field.Minimum);
   scalars.Ranges.assign(static_cast<std::size_t>(count.x) * count.y * count.z, nothing);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(count.y) * count.z, [&](vtkIdType begin, vtkIdType end) {
-    std::vector<double> row(n.x);
-    for (vtkIdType line = begin; line < end; ++line)
-    {
-      const int j = Edge * static_cast<int>(line % count.y);
-      const int k = Edge * static_cast<int>(line / count.y);
-      glm::dvec2* ranges = scalars.Ranges.data() + line * count.x;
-      for (int component = scalars.FirstComponent; component <= scalars.LastComponent; ++component)
+  vtkSMPTools::For(
+    0, static_cast<vtkIdType>(count.y) * count.z, [&](vtkIdType begin, vtkIdType end) {
+      std::vector<double> row(n.x);
+      for (vtkIdType line = begin; line < end; ++line)
       {
-        const vtkMediumLatticeRows rows(field, component - field.FirstComponent);
-        for (int z = k; z <= std::min(k + Edge, n.z - 1); ++z)
+        const int j = Edge * static_cast<int>(line % count.y);
+        const int k = Edge * static_cast<int>(line / count.y);
+        glm::dvec2* ranges = scalars.Ranges.data() + line * count.x;
+        for (int component = scalars.FirstComponent; component <= scalars.LastComponent;
+             ++component)
         {
-          for (int y = j; y <= std::min(j + Edge, n.y - 1); ++y)
+          const vtkMediumLatticeRows rows(field, component - field.FirstComponent);
+          for (int z = k; z <= std::min(k + Edge, n.z - 1); ++z)
           {
-            rows.Read(y, z, row.data());
-            for (int bx = 0; bx < count.x; ++bx)
+            for (int y = j; y <= std::min(j + Edge, n.y - 1); ++y)
             {
-              const auto first = row.begin() + Edge * bx;
-              const auto last = row.begin() + std::min(Edge * bx + Edge, n.x - 1) + 1;
-              double least = *first, largest = *first;
-              for (auto value = first + 1; value != last; ++value)
+              rows.Read(y, z, row.data());
+              for (int bx = 0; bx < count.x; ++bx)
               {
-                least = std::min(least, *value);
-                largest = std::max(largest, *value);
+                const auto first = row.begin() + Edge * bx;
+                const auto last = row.begin() + std::min(Edge * bx + Edge, n.x - 1) + 1;
+                double least = *first, largest = *first;
+                for (auto value = first + 1; value != last; ++value)
+                {
+                  least = std::min(least, *value);
+                  largest = std::max(largest, *value);
+                }
+                ranges[bx] = Join(ranges[bx], glm::dvec2(least, largest));
               }
-              ranges[bx] = Join(ranges[bx], glm::dvec2(least, largest));
             }
           }
         }
       }
-    }
-  });
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -148,8 +150,7 @@ void vtkMediumBricks::Classify(const vtkMediumScene& scene)
                                              : extinction + range[Scattering];
     }
     const bool empty = extinction.y <= 0 && range[Emission].y <= 0;
-    const bool uniform =
-      extinction.x == extinction.y && range[Emission].x == range[Emission].y;
+    const bool uniform = extinction.x == extinction.y && range[Emission].x == range[Emission].y;
     this->Class[brick] = empty ? Empty : uniform ? Uniform : Mixed;
     this->Ranges[brick] = glm::vec2(extinction * scene.Geometry.Length);
     ++this->Numbers[this->Class[brick]];
@@ -174,7 +175,8 @@ glm::dvec3 vtkMediumBricks::GetUpper(const glm::ivec3& brick) const
   for (int axis = 0; axis < 3; ++axis)
   {
     const bool last = brick[axis] == this->Count[axis] - 1;
-    upper[axis] = last ? this->Dimensions[axis] - (this->OnCells ? 0.5 : 1) : (brick[axis] + 1) * Edge;
+    upper[axis] =
+      last ? this->Dimensions[axis] - (this->OnCells ? 0.5 : 1) : (brick[axis] + 1) * Edge;
   }
   return upper;
 }

@@ -55,8 +55,8 @@ public:
     {
       const glm::dvec3 direction = view.Direction + (corner & 1 ? 1.0 : -1.0) * view.DirectionX +
         (corner & 2 ? 1.0 : -1.0) * view.DirectionY;
-      this->LeastSlope = std::min(
-        this->LeastSlope, glm::dot(glm::dvec3(view.ClipW), glm::normalize(direction)));
+      this->LeastSlope =
+        std::min(this->LeastSlope, glm::dot(glm::dvec3(view.ClipW), glm::normalize(direction)));
     }
   }
 
@@ -224,8 +224,8 @@ vtkMediumBricks::Tiles vtkMediumBricks::ProjectToTiles(
         {
           corners[i] = this->LatticeToLocalOrigin +
             this->LatticeToLocalAxes *
-              glm::dvec3(i & 1 ? upper.x : lower.x, i & 2 ? upper.y : lower.y,
-                i & 4 ? upper.z : lower.z);
+              glm::dvec3(
+                i & 1 ? upper.x : lower.x, i & 2 ? upper.y : lower.y, i & 4 ? upper.z : lower.z);
         }
         AddFootprint(projection.Project(corners), tiles, size, share);
       }

@@ -141,15 +141,16 @@ double vtkMediumCellSums::Integrate(
   double sum = 0;
   for (double t = first; t < last;)
   {
-    const int axis = next[0] <= next[1] ? (next[0] <= next[2] ? 0 : 2) : (next[1] <= next[2] ? 1 : 2);
+    const int axis =
+      next[0] <= next[1] ? (next[0] <= next[2] ? 0 : 2) : (next[1] <= next[2] ? 1 : 2);
     const double end = std::min(next[axis], last);
     if (end > t)
     {
       const int bx = Clamp(cell[0], this->Dimensions.x - 1) >> BrickShift;
       const int by = Clamp(cell[1], this->Dimensions.y - 1) >> BrickShift;
       const int bz = Clamp(cell[2], this->Dimensions.z - 1) >> BrickShift;
-      if (this->Occupied[bx +
-            this->Bricks.x * (by + this->Bricks.y * static_cast<std::size_t>(bz))])
+      if (this
+            ->Occupied[bx + this->Bricks.x * (by + this->Bricks.y * static_cast<std::size_t>(bz))])
       {
         const double length = end - t;
         const double from[3] = { origin.x + t * step.x - cell[0], origin.y + t * step.y - cell[1],

@@ -38,7 +38,7 @@ private:
 
   int FieldIndex = -1;
   int FirstComponent = 0, LastComponent = 0;
-  glm::dvec2 Scales{ 0 }; ///< least and largest of the coefficient's scale
+  glm::dvec2 Scales{ 0 };          ///< least and largest of the coefficient's scale
   double Minimum = 0, Maximum = 0; ///< the function's range
   /// [k][i]: (least, largest) of the scaled channels over samples i … i + 2^k - 1; none: no function.
   std::vector<std::vector<glm::dvec2>> Levels;

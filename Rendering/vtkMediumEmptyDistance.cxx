@@ -23,8 +23,8 @@ constexpr float Far = 1e12f; // squared distance where nothing is known yet
 class CellTest
 {
 public:
-  CellTest(const vtkMediumScene& scene, const vtkMediumExtinctionGrid& grid,
-    const vtkMediumBricks& bricks)
+  CellTest(
+    const vtkMediumScene& scene, const vtkMediumExtinctionGrid& grid, const vtkMediumBricks& bricks)
     : Grid(grid)
     , Bricks(bricks)
     , N(grid.GetDimensions())
@@ -71,9 +71,9 @@ private:
       bool any = false;
       for (int corner = 0; corner < 8 && occupied[x] && !any; ++corner)
       {
-        const glm::ivec3 at = glm::min(
-          glm::ivec3(x, y, z) + glm::ivec3(corner & 1, corner >> 1 & 1, corner >> 2 & 1),
-          this->N - 1);
+        const glm::ivec3 at =
+          glm::min(glm::ivec3(x, y, z) + glm::ivec3(corner & 1, corner >> 1 & 1, corner >> 2 & 1),
+            this->N - 1);
         any = this->Grid.GetValues()[this->Grid.GetIndex(at.x, at.y, at.z)] > 0;
       }
       occupied[x] = any;
@@ -88,7 +88,8 @@ private:
     double *row = scratch.data(), *least = row + nx, *largest = least + nx;
     for (int r = 0; r < 4; ++r)
     {
-      this->Rows->Read(std::min(y + (r & 1), this->N.y - 1), std::min(z + (r >> 1), this->N.z - 1), row);
+      this->Rows->Read(
+        std::min(y + (r & 1), this->N.y - 1), std::min(z + (r >> 1), this->N.z - 1), row);
       for (int x = 0; x < nx; ++x)
       {
         least[x] = r == 0 ? row[x] : std::min(least[x], row[x]);
@@ -98,8 +99,7 @@ private:
     for (int x = 0; x < cells; ++x)
     {
       const int next = std::min(x + 1, nx - 1);
-      const glm::dvec2 range(
-        std::min(least[x], least[next]), std::max(largest[x], largest[next]));
+      const glm::dvec2 range(std::min(least[x], least[next]), std::max(largest[x], largest[next]));
       occupied[x] = occupied[x] && this->Bounds.Evaluate(range).y > 0;
     }
   }
@@ -195,8 +195,8 @@ void TransformAxis(std::vector<float>& values, const glm::ivec3& n, int axis)
 }
 
 //------------------------------------------------------------------------------
-void vtkMediumEmptyDistance::Build(const vtkMediumScene& scene,
-  const vtkMediumExtinctionGrid& grid, const vtkMediumBricks& bricks)
+void vtkMediumEmptyDistance::Build(
+  const vtkMediumScene& scene, const vtkMediumExtinctionGrid& grid, const vtkMediumBricks& bricks)
 {
   const glm::ivec3 n = grid.GetDimensions();
   const CellTest test(scene, grid, bricks);
@@ -236,19 +236,20 @@ void vtkMediumEmptyDistance::Build(const vtkMediumScene& scene,
   }
 
   std::atomic<bool> leaps{ false };
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Values.size()), [&](vtkIdType begin, vtkIdType end) {
-    bool any = false;
-    for (vtkIdType i = begin; i < end; ++i)
-    {
-      const float distance = std::min(std::sqrt(this->Values[i]), Maximum);
-      const float value = distance * (1 - 1.0f / 1024) - 0.8661f; // just over sqrt(3)/2
-      this->Values[i] = std::max(value, 0.0f);
-      any = any || value > 0;
-    }
-    if (any)
-    {
-      leaps = true;
-    }
-  });
+  vtkSMPTools::For(
+    0, static_cast<vtkIdType>(this->Values.size()), [&](vtkIdType begin, vtkIdType end) {
+      bool any = false;
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const float distance = std::min(std::sqrt(this->Values[i]), Maximum);
+        const float value = distance * (1 - 1.0f / 1024) - 0.8661f; // just over sqrt(3)/2
+        this->Values[i] = std::max(value, 0.0f);
+        any = any || value > 0;
+      }
+      if (any)
+      {
+        leaps = true;
+      }
+    });
   this->Leaps = leaps;
 }

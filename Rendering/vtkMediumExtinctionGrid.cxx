@@ -191,8 +191,7 @@ void vtkMediumExtinctionGrid::ChooseLattice(const vtkMediumScene& scene)
   {
     this->LatticeToLocalAxes[axis] = box.BoxToLocalAxes[axis] / size[axis];
   }
-  this->LatticeToLocalOrigin =
-    box.BoxToLocalOrigin - this->LatticeToLocalAxes * this->GetLower();
+  this->LatticeToLocalOrigin = box.BoxToLocalOrigin - this->LatticeToLocalAxes * this->GetLower();
   this->LocalToLatticeAxes = glm::inverse(this->LatticeToLocalAxes);
 }
 

@@ -60,10 +60,7 @@ public:
   ///@{
   /// The faces of the box in lattice coordinates.
   glm::dvec3 GetLower() const { return glm::dvec3(this->OnCells ? -0.5 : 0.0); }
-  glm::dvec3 GetUpper() const
-  {
-    return glm::dvec3(this->Dimensions) - (this->OnCells ? 0.5 : 1.0);
-  }
+  glm::dvec3 GetUpper() const { return glm::dvec3(this->Dimensions) - (this->OnCells ? 0.5 : 1.0); }
   ///@}
 
   ///@{

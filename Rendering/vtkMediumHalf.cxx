@@ -13,9 +13,9 @@
 
 namespace
 {
-constexpr std::uint32_t Largest = 0x477fe000;    // 65504
+constexpr std::uint32_t Largest = 0x477fe000;     // 65504
 constexpr std::uint32_t LeastNormal = 0x38800000; // 2^-14
-constexpr std::uint32_t BiasShift = 112u << 23;  // 127 - 15, in a float's exponent
+constexpr std::uint32_t BiasShift = 112u << 23;   // 127 - 15, in a float's exponent
 
 //------------------------------------------------------------------------------
 inline std::uint32_t BitsOf(float value)
@@ -63,8 +63,9 @@ std::uint16_t vtkMediumHalfFromFloat(float value)
 float vtkMediumHalfToFloat(std::uint16_t half)
 {
   const int exponent = half >> 10 & 31, mantissa = half & 1023;
-  const float magnitude = exponent == 0 ? std::ldexp(static_cast<float>(mantissa), -24)
-                                        : std::ldexp(static_cast<float>(1024 + mantissa), exponent - 25);
+  const float magnitude = exponent == 0
+    ? std::ldexp(static_cast<float>(mantissa), -24)
+    : std::ldexp(static_cast<float>(1024 + mantissa), exponent - 25);
   return half & 0x8000 ? -magnitude : magnitude;
 }
 

@@ -45,8 +45,7 @@ void vtkMediumLatticeRows::Read(int j, int k, double* row) const
     return;
   }
   const int stride = field.Array->GetNumberOfComponents();
-  const vtkIdType tuple =
-    count * (j + static_cast<vtkIdType>(field.Dimensions.y) * k);
+  const vtkIdType tuple = count * (j + static_cast<vtkIdType>(field.Dimensions.y) * k);
   const vtkIdType first = tuple * stride + field.FirstComponent + this->Component;
   switch (field.Array->GetDataType())
   {

@@ -54,8 +54,8 @@ void vtkMediumLightCache::Build(
   }
   else
   {
-    this->Marches = vtkMediumLightRays::Build(
-      grid, light, RayDensity, this->Tolerance, Reach, this->Depths);
+    this->Marches =
+      vtkMediumLightRays::Build(grid, light, RayDensity, this->Tolerance, Reach, this->Depths);
   }
   ++this->Builds;
 }
@@ -89,7 +89,8 @@ void vtkMediumLightCache::FilterSlices(
   for (int z = begin; z < end; ++z)
   {
     auto row = [&](int y, int k) {
-      return transmittance.data() + std::min(std::max(y, 0), n.y - 1) * static_cast<std::size_t>(n.x) +
+      return transmittance.data() +
+        std::min(std::max(y, 0), n.y - 1) * static_cast<std::size_t>(n.x) +
         (std::min(std::max(k, first), last - 1) - first) * slice;
     };
     for (int y = 0; y < n.y; ++y)
@@ -97,7 +98,8 @@ void vtkMediumLightCache::FilterSlices(
       float* result = target + (z - begin) * slice + y * static_cast<std::size_t>(n.x);
       if (prefilter)
       {
-        Prefilter(row(y, z), row(y - 1, z), row(y + 1, z), row(y, z - 1), row(y, z + 1), n.x, result);
+        Prefilter(
+          row(y, z), row(y - 1, z), row(y + 1, z), row(y, z - 1), row(y, z + 1), n.x, result);
       }
       else
       {

@@ -17,34 +17,6 @@ namespace
 constexpr int Margin = 4;
 
 //------------------------------------------------------------------------------
-// Four-point Lagrange weights for nodes -1, 0, 1, 2.
-void LagrangeWeights(float t, float weights[4])
-{
-  weights[0] = -t * (t - 1) * (t - 2) * (1.0f / 6);
-  weights[1] = (t + 1) * (t - 1) * (t - 2) * 0.5f;
-  weights[2] = -(t + 1) * t * (t - 2) * 0.5f;
-  weights[3] = (t + 1) * t * (t - 1) * (1.0f / 6);
-}
-
-//------------------------------------------------------------------------------
-// The error of the cubic through nodes -1…2 at t in 0…1 is estimated from six nodes -2…3, by two
-// differences that vanish for parabolas. The inner second differences less the outer ones have the
-// whole jump of the slope for a kink between the nodes 0 and 1, 3/16 of which is the error at t = 1/2;
-// third differences see a kink in the next interval, which counts for 1/16.
-float KinkWeight(float t)
-{
-  return 0.75f * t * (1 - t);
-}
-
-float BendWeight(float t)
-{
-  return 0.25f * t * (1 - t);
-}
-
-const float KinkDifference[6] = { -1, 3, -2, -2, 3, -1 };
-const float BendDifference[6] = { 0, -1, 3, -3, 1, 0 };
-
-//------------------------------------------------------------------------------
 // Narrows [first, last] to where a D <= b.
 void Restrict(double a, double b, double& first, double& last)
 {
@@ -187,8 +159,7 @@ void vtkMediumLightPyramid::SetDirection(const glm::dvec3& direction, double den
     lateral->Drift = std::abs(drift) < 1e-9 ? 0 : drift; // as in vtkMediumLightStencil
     lateral->Spacing = 1 / density;
     const double way = lateral->Drift * this->DepthOf(this->Planes - 1);
-    this->PlaceRays(
-      *lateral, -std::max(way, 0.0), lateral->Points - 1 - std::min(way, 0.0));
+    this->PlaceRays(*lateral, -std::max(way, 0.0), lateral->Points - 1 - std::min(way, 0.0));
   }
 }
 
@@ -218,8 +189,8 @@ bool vtkMediumLightPyramid::IsLit(const glm::dvec3& step) const
   }
   margin += 2 / this->FirstDepth * glm::length(axes[this->AxisW]);
   const double length = glm::length(local);
-  const double angle = std::acos(
-    std::min(std::max(glm::dot(local, this->ConeDirection) / length, -1.0), 1.0));
+  const double angle =
+    std::acos(std::min(std::max(glm::dot(local, this->ConeDirection) / length, -1.0), 1.0));
   return angle - std::acos(std::max(this->ConeCosine, -1.0)) <= std::atan(margin / length) * 2;
 }
 
@@ -282,142 +253,6 @@ void vtkMediumLightPyramid::AdvanceRow(int b, int plane)
     {
       depths[a] += static_cast<float>(lengths[a] * this->Sums.Integrate(from, step, 0, 1));
     }
-  }
-}
-
-//------------------------------------------------------------------------------
-// The optical depth of a lattice point along its own ray, where interpolation may be too far off.
-float vtkMediumLightPyramid::MarchPoint(const glm::ivec3& point) const
-{
-  this->Marches.fetch_add(1, std::memory_order_relaxed);
-  const glm::dvec3 at(point), lower = this->Grid.GetLower(), upper = this->Grid.GetUpper();
-  glm::dvec3 step;
-  step[this->AxisW] = -this->Sign;
-  for (const Lateral* lateral : { &this->U, &this->V })
-  {
-    const int axis = lateral->Axis;
-    step[axis] = this->Directional
-      ? -lateral->Drift
-      : (lateral->Apex - at[axis]) / std::abs(at[this->AxisW] - this->ApexW);
-  }
-  double last = this->Directional ? 1e300 : std::abs(at[this->AxisW] - this->ApexW);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    if (step[axis] != 0)
-    {
-      const double face = step[axis] > 0 ? upper[axis] : lower[axis];
-      last = std::min(last, (face - at[axis]) / step[axis]);
-    }
-  }
-  const double length = glm::length(this->Grid.GetLatticeToLocalAxes() * step);
-  return static_cast<float>(length * this->Sums.Integrate(at, step, 0, last));
-}
-
-//------------------------------------------------------------------------------
-inline double vtkMediumLightPyramid::RayIndex(
-  const Lateral& lateral, int point, double depth) const
-{
-  const double place =
-    this->Directional ? point - lateral.Drift * depth : (point - lateral.Apex) / depth;
-  return (place - lateral.FirstRay) / lateral.Spacing;
-}
-
-//------------------------------------------------------------------------------
-void vtkMediumLightPyramid::InterpolateRow(
-  int v, int plane, const vtkMediumOccupiedRows& rows, std::vector<float>& tau) const
-{
-  const double depth = this->DepthOf(plane);
-  const int w = this->IndexOf(plane);
-  const bool alongX = this->U.Axis == 0;
-  int first = 0, last = this->U.Points - 1;
-  if (alongX)
-  {
-    const bool planeIsZ = this->AxisW == 2;
-    const vtkMediumOccupiedRows::Interval needed =
-      planeIsZ ? rows.GetNeeded(v, w) : rows.GetNeeded(w, v);
-    first = needed.Begin;
-    last = needed.End - 1;
-  }
-  if (!this->Directional)
-  {
-    // Points on the border between pyramids are in the one with the lower axis.
-    const double reach = std::abs(v - this->V.Apex);
-    const bool lowerV = this->V.Axis < this->AxisW, lowerU = this->U.Axis < this->AxisW;
-    if (lowerV ? reach >= depth : reach > depth)
-    {
-      return;
-    }
-    const double from = this->U.Apex - depth, to = this->U.Apex + depth;
-    first = std::max(first, static_cast<int>(lowerU ? std::floor(from) + 1 : std::ceil(from)));
-    last = std::min(last, static_cast<int>(lowerU ? std::ceil(to) - 1 : std::floor(to)));
-  }
-  if (first > last)
-  {
-    return;
-  }
-
-  const int count = static_cast<int>(this->U.Origins.size());
-  const double row = this->RayIndex(this->V, v, depth);
-  const int row0 = static_cast<int>(std::floor(row));
-  const float fractionV = static_cast<float>(row - row0);
-  float weights[4];
-  LagrangeWeights(fractionV, weights);
-  const int begin = static_cast<int>(std::floor(this->RayIndex(this->U, first, depth))) - 2;
-  const int end = static_cast<int>(std::floor(this->RayIndex(this->U, last, depth))) + 4;
-  std::vector<float> line(end - begin, 0.0f), kinks(end - begin, 0.0f), bends(end - begin, 0.0f);
-  for (int r = 0; r < 6; ++r)
-  {
-    const float* depths =
-      this->Depths.data() + static_cast<std::size_t>(row0 - 2 + r) * count + begin;
-    const float weight = r > 0 && r < 5 ? weights[r - 1] : 0;
-    const float kink = KinkDifference[r] * KinkWeight(fractionV);
-    const float bend = BendDifference[r] * BendWeight(fractionV);
-    for (int a = 0; a < end - begin; ++a)
-    {
-      line[a] += weight * depths[a];
-      kinks[a] += kink * depths[a];
-      bends[a] += bend * depths[a];
-    }
-  }
-  std::vector<float>& roughness = kinks; // half, for each of the two nodes around a point
-  for (int a = 0; a < end - begin; ++a)
-  {
-    roughness[a] = 0.5f * (std::abs(kinks[a]) + std::abs(bends[a]));
-  }
-  float* target = tau.data() + w * this->StrideW + v * this->V.Stride;
-  for (int u = first; u <= last; ++u)
-  {
-    if (!alongX)
-    {
-      const vtkMediumOccupiedRows::Interval needed = rows.GetNeeded(u, v);
-      if (w < needed.Begin || w >= needed.End)
-      {
-        continue;
-      }
-    }
-    const double place = this->RayIndex(this->U, u, depth);
-    const int at = static_cast<int>(std::floor(place));
-    const float fraction = static_cast<float>(place - at);
-    LagrangeWeights(fraction, weights);
-    const float* node = line.data() + at - 2 - begin;
-    float value = 0, kink = 0, bend = 0;
-    for (int a = 0; a < 6; ++a)
-    {
-      value += a > 0 && a < 5 ? weights[a - 1] * node[a] : 0;
-      kink += KinkDifference[a] * node[a];
-      bend += BendDifference[a] * node[a];
-    }
-    const float error = KinkWeight(fraction) * std::abs(kink) +
-      BendWeight(fraction) * std::abs(bend) + roughness[at - begin] + roughness[at + 1 - begin];
-    if (!(error * std::exp(-std::max(value - error, 0.0f)) < this->Tolerance)) // or not a number
-    {
-      glm::ivec3 point;
-      point[this->U.Axis] = u;
-      point[this->V.Axis] = v;
-      point[this->AxisW] = w;
-      value = this->MarchPoint(point);
-    }
-    target[u * this->U.Stride] = std::max(value, 0.0f);
   }
 }
 

@@ -15,6 +15,8 @@
 #include "vtkMediumExtinctionGrid.h"
 #include "vtkMediumOccupiedRows.h"
 
+#include <glm/vec2.hpp>
+
 #include <atomic>
 #include <cstddef>
 #include <vector>
@@ -52,7 +54,7 @@ private:
   {
     int Axis = 0;
     int Points = 0;
-    std::ptrdiff_t Stride = 1; ///< of the grid's values
+    std::ptrdiff_t Stride = 1;   ///< of the grid's values
     double Lower = 0, Upper = 0; ///< faces of the box
     std::vector<double> Origins, Slopes;
     std::vector<double> Entries; ///< depth at which the ray enters; -1: not through this axis
@@ -73,6 +75,7 @@ private:
   double EnterRay(int a, int b, int plane) const;
   float MarchPoint(const glm::ivec3& point) const;
   void AdvanceRow(int b, int plane);
+  glm::ivec2 PointsOfRow(int v, int plane, const vtkMediumOccupiedRows& rows) const;
   void InterpolateRow(
     int v, int plane, const vtkMediumOccupiedRows& rows, std::vector<float>& tau) const;
   double RayIndex(const Lateral& lateral, int point, double depth) const;
@@ -86,14 +89,14 @@ private:
   std::ptrdiff_t StrideW = 1;
   int PointsW = 0;
   double ApexW = 0;
-  double EntryW = -1;    ///< depth of the face of W through which rays enter; -1: the light is inside
-  int FirstIndex = 0;    ///< lattice index of the first plane
+  double EntryW = -1; ///< depth of the face of W through which rays enter; -1: the light is inside
+  int FirstIndex = 0; ///< lattice index of the first plane
   int Planes = 0;
   double FirstDepth = 0; ///< of the first plane
   glm::dvec3 ConeDirection{ 0 };
   double ConeCosine = -2; ///< below -1: no cone
   mutable std::atomic<long long> Marches{ 0 };
-  std::vector<float> Depths; ///< optical depth of each ray at the current plane
+  std::vector<float> Depths;  ///< optical depth of each ray at the current plane
   std::vector<float> Lengths; ///< local length of each ray between two planes
 };
 

@@ -12,7 +12,8 @@
 
 //------------------------------------------------------------------------------
 long long vtkMediumLightRays::Build(const vtkMediumExtinctionGrid& grid,
-  const vtkMediumScene::Light& light, double density, double tolerance, int reach, std::vector<float>& tau)
+  const vtkMediumScene::Light& light, double density, double tolerance, int reach,
+  std::vector<float>& tau)
 {
   tau.assign(grid.GetValues().size(), 0.0f);
   if (!(grid.GetMaximum() > 0))

@@ -42,8 +42,7 @@ public:
 
   /// Computes the entries for a light that travels along `direction` (local space, unit).
   /// `slabs` chooses the faster form, where there is one for this direction.
-  void Build(
-    const vtkMediumExtinctionGrid& grid, const glm::dvec3& direction, bool slabs = false);
+  void Build(const vtkMediumExtinctionGrid& grid, const glm::dvec3& direction, bool slabs = false);
 
   /// Lattice planes a slab; 0: the stencil reaches through the whole grid and is exact.
   int GetSlabPlanes() const { return this->SlabPlanes; }
@@ -59,7 +58,7 @@ private:
   void ChooseSlab(const glm::dvec3& step, const glm::ivec3& n);
   void SumWeights(const vtkMediumExtinctionGrid& grid, const glm::dvec3& step, double last);
 
-  std::vector<Entry> Entries; ///< sorted by z, y, x
+  std::vector<Entry> Entries;        ///< sorted by z, y, x
   int ExitPlane[3] = { -1, -1, -1 }; ///< lattice index of the exit face along each axis; -1: none
   int SlabPlanes = 0;
   int SlabAxis = 2;           ///< 1 or 2

@@ -15,9 +15,9 @@
 #ifndef vtkMediumFixtures_h
 #define vtkMediumFixtures_h
 
+#include "vtkCellData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
-#include "vtkCellData.h"
 #include "vtkMediumScene.h"
 #include "vtkNew.h"
 #include "vtkPerlinNoise.h"

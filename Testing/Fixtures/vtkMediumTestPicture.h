@@ -31,7 +31,8 @@ struct Picture
     if (image->GetScalarPointer())
     {
       const float* values = static_cast<const float*>(image->GetScalarPointer());
-      this->Values.assign(values, values + std::size_t(this->Size.x) * this->Size.y * this->Components);
+      this->Values.assign(
+        values, values + std::size_t(this->Size.x) * this->Size.y * this->Components);
     }
   }
 

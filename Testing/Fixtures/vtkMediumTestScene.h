@@ -5,7 +5,7 @@
  * @brief A window, a renderer, a camera and a volume, and the float picture that comes of them.
  *
  * The window is off screen and black; there are no lights until a test adds some. The medium is set on
- * the mapper: homogeneous, albedo 1, isotropic, of extinction 1 per world unit.
+ * the mapper: homogeneous, albedo 1, isotropic, of extinction 1 per world unit. FixedStep draws it.
  */
 #ifndef vtkMediumTestScene_h
 #define vtkMediumTestScene_h
@@ -68,7 +68,8 @@ inline vtkSmartPointer<vtkImageData> MakeImage(const glm::ivec3& points, const g
 inline vtkSmartPointer<vtkImageData> MakeBox(
   const glm::dvec3& size = glm::dvec3(1), bool onCells = false)
 {
-  return MakeImage({ 3, 4, 5 }, size, [](const glm::dvec3&) { return 1.0; }, onCells);
+  return MakeImage(
+    { 3, 4, 5 }, size, [](const glm::dvec3&) { return 1.0; }, onCells);
 }
 
 struct Scene
@@ -88,6 +89,7 @@ struct Scene
   {
     this->Mapper->SetInputData(image);
     this->Mapper->SetMedium(this->Medium);
+    this->Mapper->SetIntegratorToFixedStep();
     this->Property->SetInterpolationTypeToLinear();
     this->Volume->SetProperty(this->Property);
     this->Volume->SetMapper(this->Mapper);

@@ -152,8 +152,7 @@ inline double BoxRadiance(const Box& box, const Ray& ray, const glm::dvec3& toLi
 }
 
 /// The same for the whole of the box that the ray meets; 0 where it misses.
-inline double BoxRadiance(
-  const Box& box, const Ray& ray, const glm::dvec3& toLight, double sigma)
+inline double BoxRadiance(const Box& box, const Ray& ray, const glm::dvec3& toLight, double sigma)
 {
   const std::array<double, 2> t = box.Intersect(ray);
   return t[0] < t[1] ? BoxRadiance(box, ray, toLight, sigma, t[0], t[1]) : 0;

@@ -236,7 +236,8 @@ TEST(FixedStepBox, CameraInsideSeesWhatIsBeforeIt)
   const glm::dvec3 beam = glm::normalize(glm::dvec3(0.3, -0.8, 0.4));
   scene.AddBeam(beam);
   scene.Look({ 0.3, 0.2, -1 }, 0.1, { 0.1, 0, 0 });
-  for (double nearest : { 1e-4, 1e-2, 0.15 }) // a near plane before, at and beyond the first surface
+  for (double nearest :
+    { 1e-4, 1e-2, 0.15 }) // a near plane before, at and beyond the first surface
   {
     SCOPED_TRACE(testing::Message() << "near plane " << nearest);
     scene.Camera->SetClippingRange(nearest, 10);

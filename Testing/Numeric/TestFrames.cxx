@@ -139,8 +139,14 @@ TEST(Frames, NumbersAndPosesCostNoUploadAndNoCompilation)
     vtkLight* light = vtkLight::SafeDownCast(scene.Renderer->GetLights()->GetItemAsObject(0));
     const std::pair<const char*, std::function<void()>> changes[] = {
       { "nothing", [] {} },
-      { "camera", [&] { scene.Look({ 1, 0.2, 0 }, 2); } },
-      { "camera inside", [&] { scene.Look({ 1, 0.2, 0 }, 0.1); } },
+      { "camera",
+        [&] {
+          scene.Look({ 1, 0.2, 0 }, 2);
+        } },
+      { "camera inside",
+        [&] {
+          scene.Look({ 1, 0.2, 0 }, 0.1);
+        } },
       { "light's direction", [&] { light->SetPosition(0.3, 2, 1); } },
       { "light's colour", [&] { light->SetDiffuseColor(1, 0.5, 0.1); } },
       { "light's intensity", [&] { light->SetIntensity(3); } },

@@ -13,7 +13,8 @@ using namespace vtkMediumTest;
 
 namespace
 {
-constexpr double SameRenderer = 2e-4; // float rounding of local coordinates, through an extinction of 3
+constexpr double SameRenderer =
+  2e-4; // float rounding of local coordinates, through an extinction of 3
 
 /// A field without symmetry, linear in space, so that the grid's resolution does not matter.
 double Slope(const glm::dvec3& box)
@@ -28,8 +29,8 @@ struct SlopeScene : Scene
     bool paper = false)
     : Scene(MakeSlope(unit, center, points), 16)
   {
-    this->Mapper->SetIntegrator(paper ? vtkSingleScatteringVolumeMapper::Paper
-                                      : vtkSingleScatteringVolumeMapper::FixedStep);
+    this->Mapper->SetIntegrator(
+      paper ? vtkSingleScatteringVolumeMapper::Paper : vtkSingleScatteringVolumeMapper::FixedStep);
     this->Mapper->SetTransmittanceThreshold(0);
     this->Medium->SetExtinctionArrayName(paper ? nullptr : "");
     this->Medium->SetExtinctionScale(5 / unit);
@@ -37,8 +38,7 @@ struct SlopeScene : Scene
     this->SetSteps(0.05 * unit, 0.05 * unit);
     this->Look({ 0.3, 0.2, -1 }, 2.5 * unit, center);
     this->AddBeam({ 1, -0.5, -0.3 });
-    vtkSmartPointer<vtkLight> point =
-      this->AddPointLight(center + unit * glm::dvec3(0.2, 1, 0.5));
+    vtkSmartPointer<vtkLight> point = this->AddPointLight(center + unit * glm::dvec3(0.2, 1, 0.5));
     point->SetIntensity(unit * unit);
   }
 
@@ -46,8 +46,8 @@ struct SlopeScene : Scene
     double unit, const glm::dvec3& center, const glm::ivec3& points)
   {
     const glm::dvec3 size = unit * glm::dvec3(1, 0.75, 0.5);
-    auto image = MakeImage(
-      points, size, [&](const glm::dvec3& p) { return Slope(p / size + 0.5); });
+    auto image =
+      MakeImage(points, size, [&](const glm::dvec3& p) { return Slope(p / size + 0.5); });
     glm::dvec3 origin;
     image->GetOrigin(&origin[0]);
     origin += center;
@@ -141,10 +141,10 @@ TEST(Geometry, RotatedShearedAndMirroredBoxesAreTruthA)
 {
   const double c = std::cos(0.7), s = std::sin(0.7);
   const glm::dmat3 matrices[] = {
-    glm::dmat3(c, s, 0, -s, c, 0, 0, 0, 1),             // rotation about z
-    glm::dmat3(1, 0, 0, 0.6, 1, 0, 0.2, -0.4, 1),       // shear
-    glm::dmat3(-1, 0, 0, 0, 1, 0, 0, 0, 1),             // mirror, negative determinant
-    glm::dmat3(-2 * c, s, 0.3, 0, 0.5, 0, -s, 0, 0.8),  // all of it
+    glm::dmat3(c, s, 0, -s, c, 0, 0, 0, 1),            // rotation about z
+    glm::dmat3(1, 0, 0, 0.6, 1, 0, 0.2, -0.4, 1),      // shear
+    glm::dmat3(-1, 0, 0, 0, 1, 0, 0, 0, 1),            // mirror, negative determinant
+    glm::dmat3(-2 * c, s, 0.3, 0, 0.5, 0, -s, 0, 0.8), // all of it
   };
   int number = 0;
   for (const glm::dmat3& matrix : matrices)
@@ -242,9 +242,9 @@ TEST(Geometry, ConstantCellAndPointDataAreTruthA)
 TEST(Geometry, CellsAreSampledAtTheirCentres)
 {
   // One dense layer of cells, 1/4 of the box, nearest interpolation: a slab with exact faces.
-  Scene scene(
-    MakeImage({ 2, 2, 5 }, glm::dvec3(1),
-      [](const glm::dvec3& p) { return p.z > 0 && p.z < 0.25 ? 1.0 : 0.0; }, true),
+  Scene scene(MakeImage(
+                { 2, 2, 5 }, glm::dvec3(1),
+                [](const glm::dvec3& p) { return p.z > 0 && p.z < 0.25 ? 1.0 : 0.0; }, true),
     8);
   scene.Property->SetInterpolationTypeToNearest();
   scene.Medium->SetExtinctionArrayName("density");
@@ -262,9 +262,12 @@ TEST(Geometry, ScalarTypesDoNotMatter)
          VTK_UNSIGNED_LONG_LONG, VTK_ID_TYPE })
   {
     // Whole numbers 7 to 107, which every type holds.
-    auto image = MakeImage(glm::ivec3(6), glm::dvec3(1), [](const glm::dvec3& p) {
-      return 7 + std::round(20 * (p.x + 0.5)) * 3 + std::round(40 * std::abs(p.y * p.z) * 4);
-    }, false, type);
+    auto image = MakeImage(
+      glm::ivec3(6), glm::dvec3(1),
+      [](const glm::dvec3& p) {
+        return 7 + std::round(20 * (p.x + 0.5)) * 3 + std::round(40 * std::abs(p.y * p.z) * 4);
+      },
+      false, type);
     Scene scene(image, 16);
     vtkNew<vtkPiecewiseFunction> opacity;
     opacity->AddPoint(0, 0);
@@ -288,9 +291,10 @@ TEST(Geometry, ScalarTypesDoNotMatter)
 TEST(Geometry, LargeOffsetsOfTheValuesDoNotMatter)
 {
   auto picture = [](double offset, double scale) {
-    Scene scene(MakeImage(glm::ivec3(5), glm::dvec3(1),
-                  [&](const glm::dvec3& p) { return offset + scale * (p.x + 0.5); }, false,
-                  VTK_DOUBLE),
+    Scene scene(
+      MakeImage(
+        glm::ivec3(5), glm::dvec3(1),
+        [&](const glm::dvec3& p) { return offset + scale * (p.x + 0.5); }, false, VTK_DOUBLE),
       16);
     vtkNew<vtkPiecewiseFunction> opacity;
     opacity->AddPoint(offset, 0);

@@ -20,8 +20,8 @@ struct ThreeLights : Scene
   explicit ThreeLights(bool paper = false)
     : Scene(MakeBox(), 12)
   {
-    this->Mapper->SetIntegrator(paper ? vtkSingleScatteringVolumeMapper::Paper
-                                      : vtkSingleScatteringVolumeMapper::FixedStep);
+    this->Mapper->SetIntegrator(
+      paper ? vtkSingleScatteringVolumeMapper::Paper : vtkSingleScatteringVolumeMapper::FixedStep);
     this->Medium->SetExtinction(1.5, 2, 3);
     this->Medium->SetAnisotropy(0.4);
     this->SetSteps(0.05, 0.05);

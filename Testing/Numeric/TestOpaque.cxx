@@ -67,8 +67,7 @@ void ExpectMediumBeforePlane(Scene& scene, const Plane& plane, const glm::dvec3&
     const double opaque = plane.Hit(ray);
     t[1] = opaque > t[0] ? std::min(t[1], opaque) : t[0];
     const double d = std::max(t[1] - t[0], 0.0);
-    const double truth =
-      d > 0 ? Isotropic * BoxRadiance(box, ray, toLight, sigma, t[0], t[1]) : 0;
+    const double truth = d > 0 ? Isotropic * BoxRadiance(box, ray, toLight, sigma, t[0], t[1]) : 0;
     // A 24-bit depth is good to 6e-5 of the far distance at most, here 3e-6 of 40.
     ASSERT_NEAR(picture.At(x, y, 3), -std::expm1(-sigma * d), 1e-3) << x << ", " << y;
     ASSERT_NEAR(picture.At(x, y), truth, 1e-3 * truth + 1e-4) << x << ", " << y;

@@ -264,7 +264,6 @@ TEST(PaperBall, PhaseFunctionIsSchlicks)
     scene.Medium->SetAnisotropy(g);
     const double k = 1.55 * g - 0.55 * g * g * g;
     // From the ball to the eye is +z, as the light travels: forward scattering.
-    EXPECT_NEAR(
-      scene.Render().At(12, 12) / isotropic.At(12, 12), Schlick(1, k) / Isotropic, 1e-3);
+    EXPECT_NEAR(scene.Render().At(12, 12) / isotropic.At(12, 12), Schlick(1, k) / Isotropic, 1e-3);
   }
 }

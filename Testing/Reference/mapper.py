@@ -81,13 +81,38 @@ class Stage:
         self.window.SetMultiSamples(0)
         self.window.SetSize(scene.pixels, scene.pixels)
         self.window.AddRenderer(self.renderer)
+        self.failed = False
+        self.mapper.AddObserver("ErrorEvent", self.note_failure)
 
-    def fixed_step(self, voxels: float) -> np.ndarray:
-        """By FixedStep, with both steps this many voxels long (of the voxel's shortest edge)."""
-        self.mapper.SetIntegratorToFixedStep()
+    def note_failure(self, _mapper, _event) -> None:
+        self.failed = True
+
+    def look_parallel(self, direction, up, half_height: float) -> None:
+        """Parallel projection along a direction; the camera is 4 units before the box's centre."""
+        camera = self.renderer.GetActiveCamera()
+        camera.ParallelProjectionOn()
+        camera.SetParallelScale(half_height)
+        camera.SetPosition(-4 * np.array(direction) / np.linalg.norm(direction))
+        camera.SetViewUp(up)
+
+    def set_steps(self, voxels: float) -> None:
+        """Both steps this many voxels long, of the voxel's shortest edge; 0: the mapper's default."""
         step = voxels * min(self.mapper.GetInput().GetSpacing())
         self.mapper.SetSampleDistance(step)
         self.mapper.SetLightSampleDistance(step)
+
+    def fixed_step(self, voxels: float) -> np.ndarray:
+        self.mapper.SetIntegratorToFixedStep()
+        self.set_steps(voxels)
+        return self.render()
+
+    def paper(self, voxels: float, threshold: float) -> np.ndarray:
+        """The medium must be homogeneous; it fills the voxels at or above the threshold."""
+        self.mapper.SetIntegratorToPaper()
+        self.mapper.SetJitter(0)
+        self.mapper.SetBinarySearchIterations(10)
+        self.mapper.SetPaperThreshold(threshold)
+        self.set_steps(voxels)
         return self.render()
 
     def exact(self) -> np.ndarray:
@@ -95,19 +120,26 @@ class Stage:
         return self.render()
 
     def render(self) -> np.ndarray:
+        self.failed = False
         self.window.Render()
+        if self.failed:
+            raise RuntimeError("the mapper refused to draw; its error is above")
         image = vtkImageData()
         self.mapper.GetColorImage(image)
         return pixels_of(image)
 
-    def reference(self, tolerance: float = 1e-7) -> np.ndarray:
+    def truth(self, tolerance: float = 1e-7) -> vtkSingleScatteringReference:
+        """The reference, set up for this stage."""
         reference = vtkSingleScatteringReference()
         reference.SetVolume(self.volume)
         reference.SetMedium(self.medium)
         reference.SetRenderer(self.renderer)
         reference.SetImageSize(self.scene.pixels, self.scene.pixels)
         reference.SetTolerance(tolerance)
+        return reference
+
+    def reference(self, tolerance: float = 1e-7, channel: int = 1) -> np.ndarray:
         image = vtkImageData()
-        if not reference.GetColorImage(image):
+        if not self.truth(tolerance).GetColorImage(image):
             raise RuntimeError("the reference gave no image")
-        return pixels_of(image)
+        return pixels_of(image, channel)

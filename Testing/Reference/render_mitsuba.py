@@ -8,7 +8,6 @@ follows them. The standard error of a pixel comes from independent batches.
 
 import argparse
 import datetime
-import sys
 
 import mitsuba as mi
 import numpy as np
@@ -81,7 +80,7 @@ def render(scene: scenes.Scene, samples: int, seed: int) -> tuple:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--samples", type=int, default=16384,
+    parser.add_argument("--samples", type=int, default=32768,
                         help="per pixel; a multiple of %d (default: %%(default)s)" % BATCHES)
     parser.add_argument("--variant", default="llvm_ad_rgb",
                         help="of Mitsuba; llvm_* needs LLVM, see DRJIT_LIBLLVM_PATH")
@@ -94,7 +93,7 @@ def main() -> None:
         image, error = render(scene, arguments.samples, SEEDS * (index + 1))
         head = {
             "renderer": f"Mitsuba {mi.__version__}, {arguments.variant}, volpath, max_depth=2",
-            "command": "Testing/Reference/run mitsuba -- " + " ".join(sys.argv[1:]),
+            "command": f"Testing/Reference/run mitsuba -- --samples {arguments.samples} {scene.name}",
             "scene": scene, "samples per pixel": arguments.samples,
             "standard error": f"from {BATCHES} independent batches",
             "date": datetime.date.today().isoformat()}

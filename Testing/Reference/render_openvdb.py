@@ -60,12 +60,12 @@ def render(scene: scenes.Scene, step: float, folder: str) -> np.ndarray:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--step", type=float, default=0.125,
+    parser.add_argument("--step", type=float, default=0.0625,
                         help="of both rays, voxels (default: %(default)s)")
     parser.add_argument("scene", nargs="*", help="names of scenes (default: all)")
     arguments = parser.parse_args()
     version = subprocess.run(["vdb_render", "-version"], stdout=subprocess.PIPE, text=True,
-                             check=False).stdout.strip()
+                             check=False).stdout.splitlines()[0]
     chosen = [s for s in scenes.OPENVDB if not arguments.scene or s.name in arguments.scene]
     for scene in tqdm(chosen):
         with tempfile.TemporaryDirectory() as folder:

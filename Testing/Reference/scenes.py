@@ -36,7 +36,7 @@ class Scene:
 
 
 MITSUBA = (
-    Scene("uniform", "uniform", 3, 0.6, (0.5, 1, 0.8), points=2),
+    Scene("uniform", "uniform", 3, 0.6, (0.5, 1, 0.8), points=9),
     Scene("smooth", "smooth", 8, 0, (0.5, 1, 0.8), albedo=0.8),
     Scene("cloud", "cloud", 20, 0.6, (-0.6, 0.7, 0.3)),
     Scene("binary", "binary", 8, -0.4, (1, 0.4, 0.5)),

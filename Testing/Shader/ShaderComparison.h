@@ -15,6 +15,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <sstream>
 
 constexpr double Epsilon = std::numeric_limits<float>::epsilon();
 /// Devices may flush what is smaller to zero.
@@ -47,7 +48,8 @@ protected:
         ASSERT_TRUE(std::isfinite(value)) << "of " << arguments.str();
         ASSERT_LE(error, tolerance * std::abs(expected[c]) + SmallestNormal)
           << value << " instead of " << expected[c] << " of " << arguments.str();
-        largest = std::max(largest, expected[c] != 0 ? error / std::abs(expected[c]) : 0);
+        const bool normal = std::abs(expected[c]) > SmallestNormal;
+        largest = std::max(largest, normal ? error / std::abs(expected[c]) : 0);
       }
     }
     this->RecordProperty("LargestRelativeError", std::to_string(largest));

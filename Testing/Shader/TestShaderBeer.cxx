@@ -32,8 +32,8 @@ using namespace vtkMediumFormulas;
 
 TEST_F(ShaderFormulas, TransmittanceEqualsCxx)
 {
-  ExpectFormula(GpuFormulas::Transmittance, OpticalDepths(), 4, ExponentialTolerance,
-    [](const Arguments& a) {
+  ExpectFormula(
+    GpuFormulas::Transmittance, OpticalDepths(), 4, ExponentialTolerance, [](const Arguments& a) {
       return glm::dvec4(
         Double::transmittance(a[0]), Double::transmittance(glm::dvec3(a[0], a[1], a[2])));
     });
@@ -42,8 +42,8 @@ TEST_F(ShaderFormulas, TransmittanceEqualsCxx)
 TEST_F(ShaderFormulas, MeanTransmittanceEqualsCxx)
 {
   // 1 - exp(-x) is off by a rounding unit or two of 1 at x = 0.166: 2e-7 / 0.15.
-  ExpectFormula(GpuFormulas::SegmentMeanTransmittance, OpticalDepths(), 4, 3e-6,
-    [](const Arguments& a) {
+  ExpectFormula(
+    GpuFormulas::SegmentMeanTransmittance, OpticalDepths(), 4, 3e-6, [](const Arguments& a) {
       return glm::dvec4(Double::segmentMeanTransmittance(a[0]),
         Double::segmentMeanTransmittance(glm::dvec3(a[0], a[1], a[2])));
     });

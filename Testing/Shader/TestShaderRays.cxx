@@ -37,8 +37,7 @@ TEST_F(ShaderFormulas, RayBoxEqualsCxx)
   // Held to C++ in float: a direction of 1e-40 is a float, and what is inside is decided in float.
   // One subtraction and one division of up to three units each.
   ExpectFormula(GpuFormulas::RayBox, Rays(), 2, 4 * Epsilon, [](const Arguments& a) {
-    const glm::vec2 t =
-      Float::rayBox(glm::vec3(a[0], a[1], a[2]), glm::vec3(a[4], a[5], a[6]));
+    const glm::vec2 t = Float::rayBox(glm::vec3(a[0], a[1], a[2]), glm::vec3(a[4], a[5], a[6]));
     return glm::dvec4(t.x, t.y, 0, 0);
   });
 }
@@ -68,10 +67,9 @@ TEST_F(ShaderFormulas, LightAttenuationEqualsCxx)
     table.push_back({ r, 0, 0, 0, 0.1f, 2, 3 });
     table.push_back({ r, 0, 0, 0, 0, 0, 0 });
   }
-  ExpectFormula(
-    GpuFormulas::LightAttenuation, table, 1, 6 * Epsilon, [](const Arguments& a) {
-      return glm::dvec4(Double::lightAttenuation(a[0], glm::dvec3(a[4], a[5], a[6])));
-    });
+  ExpectFormula(GpuFormulas::LightAttenuation, table, 1, 6 * Epsilon, [](const Arguments& a) {
+    return glm::dvec4(Double::lightAttenuation(a[0], glm::dvec3(a[4], a[5], a[6])));
+  });
 }
 
 TEST_F(ShaderFormulas, LightSpotEqualsCxx)
@@ -100,12 +98,11 @@ TEST_F(ShaderFormulas, LightDirectionEqualsCxx)
     table.push_back({ scale, -2 * scale, 0.5f * scale, 0, 0, 1, 0 });
     table.push_back({ 0, 0, scale, 0, 0, 1, 0 });
   }
-  ExpectFormula(
-    GpuFormulas::LightDirection, table, 3, 6 * Epsilon, [](const Arguments& a) {
-      const glm::dvec3 d = Double::lightDirection(
-        glm::dvec3(a[0], a[1], a[2]), glm::dvec3(a[4], a[5], a[6]));
-      return glm::dvec4(d, 0);
-    });
+  ExpectFormula(GpuFormulas::LightDirection, table, 3, 6 * Epsilon, [](const Arguments& a) {
+    const glm::dvec3 d =
+      Double::lightDirection(glm::dvec3(a[0], a[1], a[2]), glm::dvec3(a[4], a[5], a[6]));
+    return glm::dvec4(d, 0);
+  });
 }
 
 TEST_F(ShaderFormulas, JitterIsTheSameNumberOnEveryDevice)
@@ -129,8 +126,8 @@ TEST_F(ShaderFormulas, JitterIsTheSameNumberOnEveryDevice)
   for (std::size_t i = 0; i < table.size(); ++i)
   {
     const Arguments& a = table[i];
-    ASSERT_EQ(values[i].x,
-      Float::jitterOffset(whole(a[0], a[1]), whole(a[2], a[3]), whole(a[4], a[5])));
+    ASSERT_EQ(
+      values[i].x, Float::jitterOffset(whole(a[0], a[1]), whole(a[2], a[3]), whole(a[4], a[5])));
     ASSERT_GE(values[i].x, 0);
     ASSERT_LT(values[i].x, 1);
   }

@@ -116,8 +116,7 @@ vtkMediumScene::View MakeView(
 int ExpectTilesCoverTheMedium(const Setting& setting, int width, int height)
 {
   const vtkMediumScene::View& view = setting.Scene.Eye;
-  const vtkMediumBricks::Tiles tiles =
-    setting.Bricks.ProjectToTiles(setting.Scene, width, height);
+  const vtkMediumBricks::Tiles tiles = setting.Bricks.ProjectToTiles(setting.Scene, width, height);
   int hits = 0;
   for (std::uint32_t i = 0; i < 40000; ++i)
   {
@@ -242,8 +241,8 @@ TEST(Bricks, RangesBoundWhatInterpolationGives)
         const glm::dvec3 box = RandomBox(i, 43);
         const glm::dvec3 lattice =
           setting.Grid.LocalToLattice(setting.Scene.Geometry.BoxToLocal(box));
-        const glm::ivec3 brick = glm::clamp(glm::ivec3(glm::floor(lattice / 8.0)), glm::ivec3(0),
-          setting.Bricks.GetCount() - 1);
+        const glm::ivec3 brick = glm::clamp(
+          glm::ivec3(glm::floor(lattice / 8.0)), glm::ivec3(0), setting.Bricks.GetCount() - 1);
         const glm::dvec3 lower = setting.Bricks.GetLower(brick);
         const glm::dvec3 upper = setting.Bricks.GetUpper(brick);
         ASSERT_TRUE(glm::all(glm::lessThanEqual(lower, lattice + 1e-9)));
@@ -273,8 +272,7 @@ TEST(CoefficientBounds, AreThoseOfAllValuesInTheInterval)
     constexpr int Steps = 20000;
     for (int step = 0; step <= Steps; ++step)
     {
-      const double value =
-        10 * scene.Content.Functions[0].Evaluate(a + (b - a) * step / Steps).w;
+      const double value = 10 * scene.Content.Functions[0].Evaluate(a + (b - a) * step / Steps).w;
       expected = { std::min(expected.x, value), std::max(expected.y, value) };
     }
     const glm::dvec2 range = bounds.Evaluate({ a, b });
@@ -358,8 +356,7 @@ TEST(BrickTiles, NothingInViewGivesAnEmptyScissor)
 namespace
 {
 // Distance from a lattice coordinate to the nearest cell that may hold medium, by looking at all.
-double BruteForceDistance(
-  const glm::dvec3& at, const std::vector<glm::ivec3>& occupiedCells)
+double BruteForceDistance(const glm::dvec3& at, const std::vector<glm::ivec3>& occupiedCells)
 {
   double nearest = 1e300;
   for (const glm::ivec3& cell : occupiedCells)

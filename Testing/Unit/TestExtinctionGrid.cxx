@@ -189,7 +189,8 @@ TEST(ExtinctionGrid, NonFiniteValuesFollowTheField)
   grid.Build(scene);
   const double scale = 5 * scene.Geometry.Length;
   EXPECT_NEAR(grid.GetValues()[3], scale * scene.Content.Fields[0].Minimum, scale * FloatTolerance);
-  EXPECT_NEAR(grid.GetValues()[40], scale * scene.Content.Fields[0].Maximum, scale * FloatTolerance);
+  EXPECT_NEAR(
+    grid.GetValues()[40], scale * scene.Content.Fields[0].Maximum, scale * FloatTolerance);
   ExpectGridEqualsScene(scene, grid);
 }
 

@@ -151,8 +151,7 @@ TEST(LightMarch, HomogeneousBoxGivesSigmaTimesLength)
     Sigma, 1e-6 * Sigma);
   // A point light one quarter of that edge away.
   const Light light = MakePoint(grid.LatticeToLocal({ 0.75, 0.5, 0.5 }));
-  EXPECT_NEAR(
-    vtkMediumLightOpticalDepth(grid, light, { 1, 0.5, 0.5 }), Sigma / 4, 1e-6 * Sigma);
+  EXPECT_NEAR(vtkMediumLightOpticalDepth(grid, light, { 1, 0.5, 0.5 }), Sigma / 4, 1e-6 * Sigma);
 }
 
 //------------------------------------------------------------------------------
@@ -337,8 +336,7 @@ TEST_P(PointLights, ZeroToleranceIsExact)
   {
     const glm::ivec3 at = RandomLatticePoint(grid.GetDimensions(), i);
     const double exact = vtkMediumLightOpticalDepth(grid, light, glm::dvec3(at));
-    ASSERT_NEAR(
-      tau[grid.GetIndex(at.x, at.y, at.z)], exact, RelativeTolerance * exact + 1e-6)
+    ASSERT_NEAR(tau[grid.GetIndex(at.x, at.y, at.z)], exact, RelativeTolerance * exact + 1e-6)
       << "at " << at.x << " " << at.y << " " << at.z;
   }
 }
@@ -426,8 +424,7 @@ TEST(LightCache, PrefilteringCentresTheErrorOfTrilinearLookups)
         value += w.x * w.y * w.z *
           transmittance[grid.GetIndex(cell.x + bit.x, cell.y + bit.y, cell.z + bit.z)];
       }
-      mean[prefilter] +=
-        (value - std::exp(-vtkMediumLightOpticalDepth(grid, light, at))) / 4000;
+      mean[prefilter] += (value - std::exp(-vtkMediumLightOpticalDepth(grid, light, at))) / 4000;
     }
   }
   EXPECT_GT(mean[0], 1e-4) << "without the filter, convex functions are overestimated";
@@ -471,41 +468,4 @@ TEST(LightCache, PoseLeavesOutColourAndAttenuation)
   EXPECT_TRUE(vtkMediumLightCache::HaveSamePose(a, b));
   b.Type = Light::Spot;
   EXPECT_FALSE(vtkMediumLightCache::HaveSamePose(a, b));
-}
-
-//------------------------------------------------------------------------------
-TEST(Half, AllFiniteHalvesSurviveTheRoundTrip)
-{
-  for (std::uint32_t bits = 0; bits < 65536; ++bits)
-  {
-    const std::uint16_t half = static_cast<std::uint16_t>(bits);
-    if ((half & 0x7c00) != 0x7c00)
-    {
-      ASSERT_EQ(vtkMediumHalfFromFloat(vtkMediumHalfToFloat(half)), half);
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-TEST(Half, RoundsToTheNearestAndTiesToEven)
-{
-  for (std::uint16_t half = 0; half < 0x7bff; ++half)
-  {
-    const float a = vtkMediumHalfToFloat(half), b = vtkMediumHalfToFloat(half + 1);
-    const float middle = 0.5f * (a + b);
-    ASSERT_EQ(vtkMediumHalfFromFloat(std::nextafter(middle, a)), half);
-    ASSERT_EQ(vtkMediumHalfFromFloat(std::nextafter(middle, b)), half + 1);
-    ASSERT_EQ(vtkMediumHalfFromFloat(middle), half % 2 ? half + 1 : half);
-    ASSERT_EQ(vtkMediumHalfFromFloat(-middle), 0x8000 | (half % 2 ? half + 1 : half));
-  }
-}
-
-//------------------------------------------------------------------------------
-TEST(Half, NeverMakesInfinitiesOrNaN)
-{
-  EXPECT_EQ(vtkMediumHalfFromFloat(1e6f), 0x7bff);
-  EXPECT_EQ(vtkMediumHalfFromFloat(-std::numeric_limits<float>::infinity()), 0xfbff);
-  EXPECT_EQ(vtkMediumHalfFromFloat(65519), 0x7bff);
-  EXPECT_EQ(vtkMediumHalfFromFloat(65520), 0x7bff);
-  EXPECT_EQ(vtkMediumHalfFromFloat(std::numeric_limits<float>::quiet_NaN()) & 0x7fff, 0);
 }

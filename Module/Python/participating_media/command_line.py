@@ -81,8 +81,8 @@ def _parser() -> argparse.ArgumentParser:
         help="radiance, or as grey: the distance to the medium or through it, transmittance, "
         "optical depth, mean depth, work (%(default)s)")
     add("--integrator", choices=INTEGRATORS, default=INTEGRATORS[0],
-        help="fixed-step for any medium; paper for what a threshold fills; exact for any medium, "
-        "slow (%(default)s)")
+        help="fixed-step for any medium; paper for what a threshold fills; "
+        "error-controlled chooses the step by itself; exact is slow (%(default)s)")
     add("--step", type=_number(0, sys.float_info.max), default=0.0, metavar="LENGTH",
         help="longest step along the eye and light rays (0: one voxel)")
     add("--threshold", type=float, metavar="SCALAR",

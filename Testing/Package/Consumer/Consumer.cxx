@@ -4,9 +4,9 @@
 #include <vtkMediumStatistics.h>
 #include <vtkNew.h>
 #include <vtkPiecewiseFunction.h>
-#include <vtkRenderer.h>
-#include <vtkRenderWindow.h>
 #include <vtkRTAnalyticSource.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
 #include <vtkSingleScatteringVolumeMapper.h>
 #include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
