@@ -264,7 +264,8 @@ void vtkMediumPlan::PlanErrorControlled(const vtkMediumScene& scene, const Setti
   this->UseBricks = true;
   const double voxel = scene.Geometry.VoxelLength / scene.Geometry.Length;
   this->EyeStep = settings.ControlledStep > 0 ? settings.ControlledStep : voxel;
-  this->LightStep = this->EyeStep;
+  this->LightStep =
+    settings.ControlledLightStep > 0 ? settings.ControlledLightStep : this->EyeStep;
 
   // A cache holds one grey optical depth for each lattice point, looked up trilinearly.
   vtkTypeInt64 voxels = 0;
@@ -277,7 +278,7 @@ void vtkMediumPlan::PlanErrorControlled(const vtkMediumScene& scene, const Setti
   }
   const int lights = static_cast<int>(scene.Lights.size());
   const vtkTypeInt64 bytes = 2 * voxels * lights;
-  if (this->Lit && linear && !scene.Content.ChromaticExtinction && lights <= MostCachedLights &&
+  if (settings.UseLightCaches && this->Lit && linear && !scene.Content.ChromaticExtinction && lights <= MostCachedLights &&
     bytes <= settings.LightCacheBytes)
   {
     this->CachedLights = lights;

@@ -35,6 +35,8 @@ public:
     int DepthDefinition = 0;
     double DepthTransmittance = 0.5;
     double MaximumError = 1.0 / 255;
+    bool UseLightCaches = true; ///< ErrorControlled
+    double ControlledLightStep = 0; ///< ErrorControlled: of marched light rays; 0: the eye's
     double ControlledStep = 0; ///< ErrorControlled: the step that was found, local units; 0: a voxel
     vtkTypeInt64 LightCacheBytes = vtkTypeInt64(1) << 30; ///< the most that light caches may take
   };

@@ -14,7 +14,8 @@
 #include "vtkRenderer.h"
 #include "vtkTimerLog.h"
 
-#include <algorithm>
+#include <glm/common.hpp>
+
 #include <cstring>
 #include <sstream>
 
@@ -24,6 +25,10 @@ namespace
 constexpr int ProbeReduction = 8;
 constexpr int FewestProbes = 32;
 constexpr int MostProbes = 96;
+// The error of light caches is probed by pixels along each axis, in steps of voxels.
+constexpr int CacheProbes = 32;
+constexpr double CacheProbeStep = 1;
+constexpr double CacheProbeLightStep = 0.5;
 
 //------------------------------------------------------------------------------
 /// Milliseconds since it was made, or since the last lap.
@@ -73,7 +78,7 @@ std::string vtkMediumRenderer::Draw(const Request& request, vtkMediumStatistics*
   this->Programs.ResetCompileMilliseconds();
   if (refusal.empty() && draft.UseBricks)
   {
-    refusal = this->FindStep(request, device);
+    refusal = this->FindStep(request, device, draft.CachedLights > 0);
   }
   const double compiledForProbes = this->Programs.GetCompileMilliseconds();
   statistics->CalibrateMilliseconds = watch.Lap() - compiledForProbes;
@@ -84,6 +89,7 @@ std::string vtkMediumRenderer::Draw(const Request& request, vtkMediumStatistics*
 
   vtkMediumPlan::Settings settings = request.Settings;
   settings.ControlledStep = this->StepControl.GetStep();
+  settings.UseLightCaches = this->StepControl.UsesCaches();
   const vtkMediumPlan plan(this->Scene, settings, device);
   refusal = this->DrawFrame(request, plan);
   const double compiled = this->Programs.GetCompileMilliseconds();
@@ -169,8 +175,21 @@ vtkMediumPlan::Capabilities vtkMediumRenderer::FindCapabilities()
 }
 
 //------------------------------------------------------------------------------
+std::vector<float> vtkMediumRenderer::IntegrateProbes(const glm::ivec2& pixels,
+  const vtkMediumPlan::Settings& settings, const vtkMediumPlan::Capabilities& device,
+  std::string& refusal)
+{
+  vtkMediumFrame::Viewport viewport;
+  viewport.Size = pixels;
+  const vtkMediumPlan plan(this->Scene, settings, device);
+  const std::string problem = this->Probe.Begin(this->Window, viewport, plan.NeedsState(), false);
+  refusal = problem.empty() ? this->Integrate(this->Probe, plan) : problem;
+  return this->Probe.DownloadRadiance();
+}
+
+//------------------------------------------------------------------------------
 std::string vtkMediumRenderer::FindStep(
-  const Request& request, const vtkMediumPlan::Capabilities& device)
+  const Request& request, const vtkMediumPlan::Capabilities& device, bool cached)
 {
   if (this->StepControl.IsCalibrated(this->Scene, request.MaximumError))
   {
@@ -178,22 +197,40 @@ std::string vtkMediumRenderer::FindStep(
   }
   int width = 0, height = 0, x = 0, y = 0;
   request.Renderer->GetTiledSizeAndOrigin(&width, &height, &x, &y);
-  vtkMediumFrame::Viewport viewport;
-  viewport.Size = { std::min(std::max(width / ProbeReduction, FewestProbes), MostProbes),
-    std::min(std::max(height / ProbeReduction, FewestProbes), MostProbes) };
-  std::string refusal;
+  const glm::ivec2 pixels = glm::clamp(glm::ivec2(width, height) / ProbeReduction,
+    glm::ivec2(FewestProbes), glm::ivec2(MostProbes));
   const vtkMediumScene::Box& box = this->Scene.Geometry;
-  this->StepControl.Calibrate(
-    this->Scene, request.MaximumError, box.VoxelLength / box.Length, [&](double step) {
-      vtkMediumPlan::Settings settings = request.Settings;
+  const double voxel = box.VoxelLength / box.Length;
+  vtkMediumPlan::Settings settings = request.Settings;
+  settings.Output = vtkSingleScatteringVolumeMapper::Radiance;
+
+  std::string refusal;
+  auto probe = [&](bool caches) {
+    return [&, caches](double step) {
+      settings.UseLightCaches = caches;
       settings.ControlledStep = step;
-      settings.Output = vtkSingleScatteringVolumeMapper::Radiance;
-      const vtkMediumPlan plan(this->Scene, settings, device);
-      const std::string problem =
-        this->Probe.Begin(this->Window, viewport, plan.NeedsState(), false);
-      refusal = problem.empty() ? this->Integrate(this->Probe, plan) : problem;
-      return this->Probe.DownloadRadiance();
-    });
+      settings.ControlledLightStep = 0;
+      return this->IntegrateProbes(pixels, settings, device, refusal);
+    };
+  };
+  vtkMediumStepControl::Probes probes;
+  if (cached)
+  {
+    probes.Cached = probe(true);
+  }
+  probes.Marched = probe(false);
+  probes.CacheError = [&]() {
+    settings.ControlledStep = CacheProbeStep * voxel;
+    settings.ControlledLightStep = CacheProbeLightStep * voxel;
+    settings.UseLightCaches = true;
+    const std::vector<float> fast =
+      this->IntegrateProbes(glm::ivec2(CacheProbes), settings, device, refusal);
+    settings.UseLightCaches = false;
+    const std::vector<float> right =
+      this->IntegrateProbes(glm::ivec2(CacheProbes), settings, device, refusal);
+    return vtkMediumStepControl::RelativeDifference(fast, right);
+  };
+  this->StepControl.Calibrate(this->Scene, request.MaximumError, voxel, probes);
   return refusal;
 }
 

@@ -21,6 +21,7 @@
 #include "vtkWeakPointer.h"
 
 #include <string>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
@@ -72,7 +73,11 @@ private:
   std::string UseWindow(vtkRenderer* renderer);
   std::string Gather(const Request& request);
   std::string GatherView(vtkRenderer* renderer);
-  std::string FindStep(const Request& request, const vtkMediumPlan::Capabilities& device);
+  std::string FindStep(
+    const Request& request, const vtkMediumPlan::Capabilities& device, bool cached);
+  std::vector<float> IntegrateProbes(const glm::ivec2& pixels,
+    const vtkMediumPlan::Settings& settings, const vtkMediumPlan::Capabilities& device,
+    std::string& refusal);
   std::string DrawFrame(const Request& request, const vtkMediumPlan& plan);
   std::string Integrate(vtkMediumFrame& frame, const vtkMediumPlan& plan);
   static vtkMediumPlan::Capabilities FindCapabilities();

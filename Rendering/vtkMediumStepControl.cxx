@@ -14,26 +14,21 @@ constexpr double FinestStep = 1.0 / 16; // voxels
 constexpr double ProbeSafety = 2;       // the worst pixel against the worst probe
 constexpr double SlowestOrder = 1.4;    // least ratio of successive changes that is believed
 constexpr double SecondOrder = 4;
-
-struct Change
-{
-  double Largest = 0; // of any colour of any pixel
-  double Peak = 0;
-};
+constexpr double CacheShare = 0.75; // of the error, that caches may use up
+}
 
 //------------------------------------------------------------------------------
-Change Compare(const std::vector<float>& coarse, const std::vector<float>& fine)
+double vtkMediumStepControl::RelativeDifference(
+  const std::vector<float>& image, const std::vector<float>& other)
 {
-  Change change;
-  for (std::size_t i = 0; i < fine.size(); ++i)
+  double largest = 0, peak = 0;
+  for (std::size_t i = 0; i < other.size(); ++i)
   {
-    const double value = fine[i];
-    change.Largest = std::max(change.Largest, std::abs(value - coarse[i]));
-    // Without light the image is its alpha alone.
-    change.Peak = std::max(change.Peak, i % 4 == 3 ? 0.0 : value);
+    const double value = other[i];
+    largest = std::max(largest, std::abs(value - image[i]));
+    peak = std::max(peak, i % 4 == 3 ? 0.0 : value); // alpha is no radiance
   }
-  return change;
-}
+  return peak > 0 ? largest / peak : largest; // without light the image is its alpha alone
 }
 
 //------------------------------------------------------------------------------
@@ -52,14 +47,33 @@ bool vtkMediumStepControl::IsCalibrated(const vtkMediumScene& scene, double maxi
 
 //------------------------------------------------------------------------------
 void vtkMediumStepControl::Calibrate(
-  const vtkMediumScene& scene, double maximumError, double voxel, const Probe& probe)
+  const vtkMediumScene& scene, double maximumError, double voxel, const Probes& probes)
 {
-  this->Signature = vtkMediumSignature::OfContentAndLights(scene);
+  const vtkMediumSignature signature = vtkMediumSignature::OfContentAndLights(scene);
+  if (signature != this->Signature)
+  {
+    this->Signature = signature;
+    this->CacheError = probes.Cached ? ProbeSafety * probes.CacheError() : 0;
+  }
   this->Eye = scene.Eye.Origin;
   this->Direction = scene.Eye.Direction;
   this->MaximumError = maximumError;
   ++this->Calibrations;
+  this->Cached = probes.Cached && this->CacheError <= CacheShare * maximumError;
+  if (this->Cached)
+  {
+    this->FindStep(maximumError - this->CacheError, voxel, probes.Cached);
+    this->Error += this->CacheError;
+  }
+  else
+  {
+    this->FindStep(maximumError, voxel, probes.Marched);
+  }
+}
 
+//------------------------------------------------------------------------------
+void vtkMediumStepControl::FindStep(double maximumError, double voxel, const Probe& probe)
+{
   double step = CoarsestStep * voxel;
   std::vector<float> coarse = probe(step);
   double before = -1; // the change of the halving before
@@ -68,8 +82,7 @@ void vtkMediumStepControl::Calibrate(
   {
     step *= 0.5;
     std::vector<float> fine = probe(step);
-    const Change change = Compare(coarse, fine);
-    const double relative = change.Peak > 0 ? change.Largest / change.Peak : change.Largest;
+    const double relative = RelativeDifference(coarse, fine);
     ratio = before > 0 && relative > 0
       ? std::min(std::max(before / relative, SlowestOrder), SecondOrder)
       : 2;

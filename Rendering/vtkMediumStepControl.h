@@ -9,6 +9,9 @@
  * is about d2 / (d1 / d2 - 1) (Richardson). Probes miss the worst pixel of an image by up to a factor of
  * two, so twice that is held against the error. It is an estimate, never a bound.
  *
+ * The error of light caches does not shrink with the step. It is found by marching light rays for a few
+ * probes; where it leaves too little room, light rays are marched for the whole image.
+ *
  * No OpenGL: whoever calls it integrates the probes.
  */
 #ifndef vtkMediumStepControl_h
@@ -27,14 +30,28 @@ public:
   /// Integrates the probe pixels at a step, local units; returns R, G, B, alpha of each.
   using Probe = std::function<std::vector<float>(double step)>;
 
+  /// How the renderer integrates probes.
+  struct Probes
+  {
+    Probe Cached;  ///< light from the caches; none if the scene has no caches
+    Probe Marched; ///< light rays marched in the same step
+    /// The error that the caches cause, as a fraction of the probes' peak radiance.
+    std::function<double()> CacheError;
+  };
+
   /// Whether the last calibration holds for this scene and error: the same content and lights, and an
   /// eye that has moved by less than a tenth of its distance and turned by less than ten degrees.
   bool IsCalibrated(const vtkMediumScene& scene, double maximumError) const;
 
   /// Finds the step; `voxel` is the step of one voxel, local units.
   void Calibrate(
-    const vtkMediumScene& scene, double maximumError, double voxel, const Probe& probe);
+    const vtkMediumScene& scene, double maximumError, double voxel, const Probes& probes);
 
+  /// The largest difference of two images of the same pixels, as a fraction of the second's peak.
+  static double RelativeDifference(const std::vector<float>& image, const std::vector<float>& other);
+
+  /// Whether light comes from the caches: their error leaves room for that of the step.
+  bool UsesCaches() const { return this->Cached; }
   double GetStep() const { return this->Step; }
   /// The estimated error at that step, of the peak radiance of the probes.
   double GetEstimatedError() const { return this->Error; }
@@ -42,10 +59,14 @@ public:
   int GetCalibrations() const { return this->Calibrations; }
 
 private:
+  void FindStep(double maximumError, double voxel, const Probe& probe);
+
   vtkMediumSignature Signature;
   glm::dvec3 Eye{ 0 };
   glm::dvec3 Direction{ 0 };
   double MaximumError = 0;
+  bool Cached = false;
+  double CacheError = 0;
   double Step = 0;
   double Error = 0;
   int Calibrations = 0;

@@ -272,10 +272,12 @@ TEST(LightStencil, ReachLeavesOutOnlyWhatIsPromisedToBeUnused)
 //------------------------------------------------------------------------------
 TEST(LightStencil, SlabsStayCloseToTheExactForm)
 {
+  const glm::ivec3 points(64, 56, 60); // several slabs
   for (bool onCells : { false, true })
   {
-    const vtkMediumExtinctionGrid grid = MakeGrid(Smooth, onCells);
-    int inSlabs = 0;
+    vtkMediumExtinctionGrid grid;
+    grid.Build(MakeScene(MakeImage(Smooth, points, Size, onCells), Sigma, onCells));
+    int interpolated = 0;
     for (const glm::dvec3& direction : Directions())
     {
       const glm::dvec3 unit = glm::normalize(direction);
@@ -286,16 +288,18 @@ TEST(LightStencil, SlabsStayCloseToTheExactForm)
       std::vector<float> exactTau, slabTau;
       exact.Apply(grid, 2, exactTau);
       slabs.Apply(grid, 2, slabTau);
+      double largest = 0;
       for (std::size_t i = 0; i < exactTau.size(); ++i)
       {
-        // One interpolation here; its error falls with the fourth power of the lattice spacing inside
-        // the box, and is larger where rays leave it within the interpolation's nodes.
-        ASSERT_NEAR(std::exp(-slabTau[i]), std::exp(-exactTau[i]), 8.0 / 255)
-          << "light along " << direction.x << " " << direction.y << " " << direction.z;
+        largest = std::max(
+          largest, std::abs(std::exp(-double(slabTau[i])) - std::exp(-double(exactTau[i]))));
       }
-      inSlabs += slabs.GetSlabPlanes() > 0 ? 1 : 0;
+      // Measured 0.2 at most for these data; rough data may miss by several.
+      EXPECT_LT(255 * largest, 1) << "light along " << direction.x << " " << direction.y << " "
+                                  << direction.z;
+      interpolated += largest > 1e-5 ? 1 : 0;
     }
-    EXPECT_GT(inSlabs, 20);
+    EXPECT_GT(interpolated, 0) << "no slab was needed, so this test shows nothing";
   }
 }
 

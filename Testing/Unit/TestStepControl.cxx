@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 namespace
 {
@@ -18,6 +19,14 @@ vtkMediumScene MakeScene()
   scene.Eye.Origin = { 0, 0, 3 };
   scene.Lights.resize(1);
   return scene;
+}
+
+// A scene without light caches.
+vtkMediumStepControl::Probes Marched(vtkMediumStepControl::Probe probe)
+{
+  vtkMediumStepControl::Probes probes;
+  probes.Marched = std::move(probe);
+  return probes;
 }
 
 // Pixels whose error is factor x (step / voxel)^order of the peak.
@@ -42,7 +51,7 @@ TEST(StepControl, MeetsTheErrorWithoutWaste)
     {
       vtkMediumStepControl control;
       const double maximum = 1.0 / 255;
-      control.Calibrate(MakeScene(), maximum, Voxel, Law(factor, order));
+      control.Calibrate(MakeScene(), maximum, Voxel, Marched(Law(factor, order)));
       const double error = factor * std::pow(control.GetStep() / Voxel, order);
       EXPECT_LE(error, maximum) << order << ' ' << factor;
       const bool coarsest = control.GetStep() > 7 * Voxel;
@@ -58,10 +67,11 @@ TEST(StepControl, EndsOnImagesThatDoNotConverge)
 {
   vtkMediumStepControl control;
   int calls = 0;
-  control.Calibrate(MakeScene(), 1e-6, Voxel, [&](double) {
+  const auto flicker = [&](double) {
     ++calls;
     return std::vector<float>{ static_cast<float>(calls % 2), 1, 1, 1 };
-  });
+  };
+  control.Calibrate(MakeScene(), 1e-6, Voxel, Marched(flicker));
   EXPECT_LE(calls, 10);
   EXPECT_GT(control.GetStep(), 0);
   EXPECT_GT(control.GetEstimatedError(), 1e-6) << "it must not claim what it did not reach";
@@ -71,8 +81,8 @@ TEST(StepControl, EndsOnImagesThatDoNotConverge)
 TEST(StepControl, TakesLongStepsThroughAnImageWithoutLight)
 {
   vtkMediumStepControl control;
-  control.Calibrate(
-    MakeScene(), 1.0 / 255, Voxel, [](double) { return std::vector<float>(8, 0.0f); });
+  control.Calibrate(MakeScene(), 1.0 / 255, Voxel,
+    Marched([](double) { return std::vector<float>(8, 0.0f); }));
   EXPECT_GT(control.GetStep(), 4 * Voxel);
   EXPECT_EQ(control.GetEstimatedError(), 0);
 }
@@ -84,7 +94,7 @@ TEST(StepControl, IsRepeatedOnlyForMaterialChanges)
   vtkMediumScene scene = MakeScene();
   const double maximum = 1.0 / 255;
   EXPECT_FALSE(control.IsCalibrated(scene, maximum));
-  control.Calibrate(scene, maximum, Voxel, Law(1e-3, 2));
+  control.Calibrate(scene, maximum, Voxel, Marched(Law(1e-3, 2)));
   EXPECT_TRUE(control.IsCalibrated(scene, maximum));
 
   vtkMediumScene moved = scene;
@@ -100,4 +110,27 @@ TEST(StepControl, IsRepeatedOnlyForMaterialChanges)
   vtkMediumScene denser = scene;
   denser.Content.DensityScale = 3;
   EXPECT_FALSE(control.IsCalibrated(denser, maximum)) << "another density";
+}
+
+//------------------------------------------------------------------------------
+TEST(StepControl, MarchesLightRaysWhereCachesErrTooMuch)
+{
+  const double maximum = 1.0 / 255;
+  for (double cacheError : { 0.0, 0.2 * maximum, 2 * maximum })
+  {
+    vtkMediumStepControl control;
+    int asked = 0;
+    vtkMediumStepControl::Probes probes;
+    probes.Cached = probes.Marched = Law(1e-3, 2);
+    probes.CacheError = [&] {
+      ++asked;
+      return cacheError;
+    };
+    control.Calibrate(MakeScene(), maximum, Voxel, probes);
+    EXPECT_EQ(control.UsesCaches(), cacheError < maximum);
+    EXPECT_LE(control.GetEstimatedError(), maximum * 1.001);
+    EXPECT_GE(control.GetEstimatedError(), control.UsesCaches() ? cacheError : 0);
+    control.Calibrate(MakeScene(), maximum / 2, Voxel, probes);
+    EXPECT_EQ(asked, 1) << "the caches' error is kept while content and lights are the same";
+  }
 }
