@@ -80,9 +80,9 @@ public:
   /// Pixels along the edge of a tile.
   static constexpr int TileEdge = 8;
   /// Exact: the difference between a part of a cell and its halves that is accepted, of the radiance.
-  static constexpr double ExactTolerance = 2e-5;
+  static constexpr double ExactTolerance = 4e-6;
   /// Exact: parts of a cell in which a field counts as linear where a function maps it.
-  static constexpr int ExactParts = 2;
+  static constexpr int ExactParts = 3;
   /// Look-ups in one iteration of a light ray's loop.
   static constexpr int LightTapsPerIteration = 4;
 

@@ -191,7 +191,10 @@ std::vector<float> vtkMediumRenderer::IntegrateProbes(const glm::ivec2& pixels,
 std::string vtkMediumRenderer::FindStep(
   const Request& request, const vtkMediumPlan::Capabilities& device, bool cached)
 {
-  if (this->StepControl.IsCalibrated(this->Scene, request.MaximumError))
+  const vtkMediumStepControl::CacheUses caches = !cached ? vtkMediumStepControl::Never
+    : request.AlwaysCache                              ? vtkMediumStepControl::Always
+                                                       : vtkMediumStepControl::WhereAccurate;
+  if (this->StepControl.IsCalibrated(this->Scene, request.MaximumError, caches))
   {
     return {};
   }
@@ -205,19 +208,17 @@ std::string vtkMediumRenderer::FindStep(
   settings.Output = vtkSingleScatteringVolumeMapper::Radiance;
 
   std::string refusal;
-  auto probe = [&](bool caches) {
-    return [&, caches](double step) {
-      settings.UseLightCaches = caches;
+  auto probe = [&](bool fromCaches) {
+    return [&, fromCaches](double step) {
+      settings.UseLightCaches = fromCaches;
       settings.ControlledStep = step;
       settings.ControlledLightStep = 0;
       return this->IntegrateProbes(pixels, settings, device, refusal);
     };
   };
   vtkMediumStepControl::Probes probes;
-  if (cached)
-  {
-    probes.Cached = probe(true);
-  }
+  probes.Caches = caches;
+  probes.Cached = probe(true);
   probes.Marched = probe(false);
   probes.CacheError = [&]() {
     settings.ControlledStep = CacheProbeStep * voxel;

@@ -49,6 +49,7 @@ public:
     double Anisotropy = 0;                    ///< of the property
     vtkMediumScene::Phases Phase = vtkMediumScene::HenyeyGreenstein; ///< of the property
     double MaximumError = 0; ///< ErrorControlled
+    bool AlwaysCache = false; ///< ErrorControlled: light caches whatever their error
     bool Show = true;        ///< in the window
     vtkMediumPlan::Settings Settings;
   };

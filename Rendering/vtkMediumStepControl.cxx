@@ -32,9 +32,10 @@ double vtkMediumStepControl::RelativeDifference(
 }
 
 //------------------------------------------------------------------------------
-bool vtkMediumStepControl::IsCalibrated(const vtkMediumScene& scene, double maximumError) const
+bool vtkMediumStepControl::IsCalibrated(
+  const vtkMediumScene& scene, double maximumError, CacheUses caches) const
 {
-  if (this->Signature.IsEmpty() || maximumError != this->MaximumError)
+  if (this->Signature.IsEmpty() || maximumError != this->MaximumError || caches != this->Caches)
   {
     return false;
   }
@@ -53,16 +54,23 @@ void vtkMediumStepControl::Calibrate(
   if (signature != this->Signature)
   {
     this->Signature = signature;
-    this->CacheError = probes.Cached ? ProbeSafety * probes.CacheError() : 0;
+    this->CacheError = -1;
   }
   this->Eye = scene.Eye.Origin;
   this->Direction = scene.Eye.Direction;
   this->MaximumError = maximumError;
+  this->Caches = probes.Caches;
   ++this->Calibrations;
-  this->Cached = probes.Cached && this->CacheError <= CacheShare * maximumError;
+  if (probes.Caches != Never && this->CacheError < 0)
+  {
+    this->CacheError = ProbeSafety * probes.CacheError();
+  }
+  this->Cached = probes.Caches != Never &&
+    (probes.Caches == Always || this->CacheError <= CacheShare * maximumError);
   if (this->Cached)
   {
-    this->FindStep(maximumError - this->CacheError, voxel, probes.Cached);
+    const double room = maximumError - std::min(this->CacheError, CacheShare * maximumError);
+    this->FindStep(room, voxel, probes.Cached);
     this->Error += this->CacheError;
   }
   else

@@ -30,18 +30,28 @@ public:
   /// Integrates the probe pixels at a step, local units; returns R, G, B, alpha of each.
   using Probe = std::function<std::vector<float>(double step)>;
 
+  /// When light comes from the caches; their error is part of the estimate in any case.
+  enum CacheUses
+  {
+    WhereAccurate,
+    Always,
+    Never,
+  };
+
   /// How the renderer integrates probes.
   struct Probes
   {
-    Probe Cached;  ///< light from the caches; none if the scene has no caches
+    Probe Cached;  ///< light from the caches; not asked for where Caches is Never
     Probe Marched; ///< light rays marched in the same step
+    CacheUses Caches = Never;
     /// The error that the caches cause, as a fraction of the probes' peak radiance.
     std::function<double()> CacheError;
   };
 
   /// Whether the last calibration holds for this scene and error: the same content and lights, and an
   /// eye that has moved by less than a tenth of its distance and turned by less than ten degrees.
-  bool IsCalibrated(const vtkMediumScene& scene, double maximumError) const;
+  bool IsCalibrated(
+    const vtkMediumScene& scene, double maximumError, CacheUses caches) const;
 
   /// Finds the step; `voxel` is the step of one voxel, local units.
   void Calibrate(
@@ -65,8 +75,9 @@ private:
   glm::dvec3 Eye{ 0 };
   glm::dvec3 Direction{ 0 };
   double MaximumError = 0;
+  CacheUses Caches = Never;
   bool Cached = false;
-  double CacheError = 0;
+  double CacheError = -1; ///< < 0: not known
   double Step = 0;
   double Error = 0;
   int Calibrations = 0;

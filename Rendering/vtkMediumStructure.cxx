@@ -77,9 +77,10 @@ std::string vtkMediumStructure::ExactDefines(const vtkMediumScene::Medium& conte
   const Coefficient& extinction = content.Extinction;
   const bool function = extinction.Source == Coefficient::FunctionRGB ||
     extinction.Source == Coefficient::FunctionAlpha;
-  if (!function || content.ExtinctionIsAbsorption)
+  if (!function || content.ExtinctionIsAbsorption ||
+    !content.Fields[extinction.FieldIndex].Linear)
   {
-    return {}; // affine in the field, or a sum that has no table of its own
+    return {}; // affine in the field, a sum that has no table of its own, or constant in a cell
   }
   std::ostringstream text;
   text << "#define EXTINCTION_TEXEL(box) fieldTexel(" << extinction.FieldIndex << ", box).r\n";

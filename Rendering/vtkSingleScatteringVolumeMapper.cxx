@@ -91,6 +91,8 @@ std::string vtkSingleScatteringVolumeMapper::Draw(vtkRenderer* renderer, vtkVolu
   settings.DepthDefinition = this->DepthDefinition;
   settings.DepthTransmittance = this->DepthTransmittance;
   settings.MaximumError = this->MaximumError;
+  settings.UseLightCaches = this->LightCaches != CachesNever;
+  request.AlwaysCache = this->LightCaches == CachesAlways;
 
   const std::string problem = this->Drawing->Draw(request, this->Statistics);
   if (problem.empty() && this->Drawing->GetNonFinite() > 0)
@@ -219,6 +221,7 @@ void vtkSingleScatteringVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Anisotropy: " << this->Anisotropy << "\n";
   os << indent << "PhaseFunction: " << this->PhaseFunction << "\n";
   os << indent << "Integrator: " << this->Integrator << "\n";
+  os << indent << "LightCaches: " << this->LightCaches << "\n";
   os << indent << "MaximumError: " << this->MaximumError << "\n";
   os << indent << "SampleDistance: " << this->SampleDistance << "\n";
   os << indent << "LightSampleDistance: " << this->LightSampleDistance << "\n";

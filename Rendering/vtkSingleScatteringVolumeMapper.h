@@ -95,6 +95,14 @@ public:
     TransmittanceDepth,  ///< where the transmittance falls to DepthTransmittance
   };
 
+  /// When ErrorControlled uses light caches.
+  enum LightCacheUses
+  {
+    CachesWhereAccurate,
+    CachesAlways,
+    CachesNever,
+  };
+
   /// Phase functions that need no medium to be set.
   enum PhaseFunctions
   {
@@ -138,6 +146,20 @@ public:
   /// an error at the next Render. Default: 1/255.
   vtkSetMacro(MaximumError, double);
   vtkGetMacro(MaximumError, double);
+  ///@}
+
+  ///@{
+  /// ErrorControlled: whether light comes from caches, one look-up for a light ray, or from marched light
+  /// rays. Caches have an error of their own, on data that change abruptly from voxel to voxel, which no
+  /// step mends: WhereAccurate (default) takes them only where MaximumError leaves room for it; Always
+  /// takes them and lets GetEstimatedError say what that costs; Never marches.
+  /// Caches serve up to 16 lights and media of grey extinction with linear interpolation, and take 2
+  /// bytes a voxel for each light, at most 1 GiB; beyond that light rays are marched.
+  vtkSetClampMacro(LightCaches, int, CachesWhereAccurate, CachesNever);
+  vtkGetMacro(LightCaches, int);
+  void SetLightCachesToWhereAccurate() { this->SetLightCaches(CachesWhereAccurate); }
+  void SetLightCachesToAlways() { this->SetLightCaches(CachesAlways); }
+  void SetLightCachesToNever() { this->SetLightCaches(CachesNever); }
   ///@}
 
   /// The largest error that the last ErrorControlled frame was estimated to have, as a fraction of the
@@ -272,6 +294,7 @@ private:
   int PhaseFunction = HenyeyGreenstein;
   int Integrator = FixedStep;
   double MaximumError = 1.0 / 255;
+  int LightCaches = CachesWhereAccurate;
   double SampleDistance = 0;
   double LightSampleDistance = 0;
   int BinarySearchIterations = 5;

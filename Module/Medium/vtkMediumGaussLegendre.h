@@ -94,7 +94,7 @@ struct vtkMediumAgreement
 
 /// A first look with 3 against 4 points must agree this many times better than the final word, 6
 /// against 8, for it may agree by chance where the integrand has a kink.
-constexpr double vtkMediumFirstLookStrictness = 16;
+constexpr double vtkMediumFirstLookStrictness = 1000;
 
 /// The integral of `function` from a to b: 3 against 4 points, else 6 against 8, else bisection. The
 /// tolerance is not halved with the interval, as what needs the bisection sits in one half.

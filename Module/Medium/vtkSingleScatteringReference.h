@@ -17,9 +17,12 @@
  * Each ray is cut at the cell faces of the grid, where a transfer function bends, at a light's nearest
  * point and at the edge of its cone. Each piece is integrated by Gauss-Legendre rules of 6 against 8
  * points and bisected until they agree. Optical depths are exact where the extinction is interpolated
- * from the data, since that is a cubic between cell faces. A transfer function is the mapper's table
- * of 4096 straight intervals; the tolerance is then not met below the table's own distance from a
- * smooth function, about 1e-8. Opaque geometry, cropping and clipping planes are not seen.
+ * from the data, since that is a cubic between cell faces. The agreement of two rules is an estimate:
+ * on grids of 64^3 the error came out within 1.1 times a tolerance of 1e-9. A transfer function is the
+ * mapper's table of 4096 straight intervals, and the tolerance is not met below the table's own
+ * distance from a smooth function: 1e-8 of the peak where its curve is gentle, some 1e-7 where it is
+ * steep. Positions have the resolution of a double, so an extinction of more than 1e7 a box is blurred.
+ * Opaque geometry, cropping and clipping planes are not seen.
  *
  * Threaded with vtkSMPTools; the result does not depend on the number of threads.
  *

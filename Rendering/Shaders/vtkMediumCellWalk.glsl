@@ -9,7 +9,7 @@ uniform vec3 latticeScale[LATTICE_COUNT];
 uniform vec3 latticeBias[LATTICE_COUNT];
 
 // A face nearer than this, in cells, counts as the one that the ray stands on.
-#define CELL_WALK_SLIVER 0.002
+#define CELL_WALK_SLIVER 2.0e-4
 // The shortest step, local units, so that every walk ends.
 #define CELL_WALK_LEAST 1.0e-6
 

@@ -50,9 +50,9 @@ of other renderers, whose dates are given. Run the command again to check them.
 
 The **reference** is vtkSingleScatteringReference: double precision on the CPU, cut at every cell face,
 bisected to a stated tolerance; it shares no formula with the shaders. The closed forms below hold it to
-the physics, the other renderers hold both to the world. **Exact**, **FixedStep** and **Paper** are the
-mapper's integrators. Early termination is off (TransmittanceThreshold 0). A display of 8 bits shows
-differences of 1/255 = 3.9e-3 of the peak.
+the physics, the other renderers hold both to the world. **Exact**, **FixedStep**, **Paper** and
+**ErrorControlled** are the mapper's integrators. Early termination is off (TransmittanceThreshold 0).
+A display of 8 bits shows differences of 1/255 = 3.9e-3 of the peak.
 """
 
 

@@ -148,13 +148,14 @@ def measure(options) -> str:
             "Paper, ¼ voxel"]
     return f"""## Closed forms
 
-Largest error over {options.pixels} × {options.pixels} pixels, as a fraction of the formula's peak. The
-formulas are those of a homogeneous box (A), a sphere (B), a point light inside (C; Sun et al. 2005,
+Largest error over {options.pixels} × {options.pixels} pixels, as a fraction of the formula's peak.
+The formulas are those of a homogeneous box (A), a sphere (B), a point light inside (C; Sun et al. 2005,
 doi:10.1145/1073204.1073309), an exponential atmosphere (D) and a ramp (E), the last two as optical
 depth, and a furnace (F). The sphere is drawn from a grid of distances, 64 points wide, and compared
-where a ray passes the centre within 0.9 of the radius: its error is that of the grid, which is straight
-lines between points. Paper has neither coefficients from arrays nor phase functions but Schlick's, so
-some of its cells are empty.
+where a ray passes the centre within 0.9 of the radius: the reference's error is that of the grid,
+which is straight lines between points; FixedStep and Exact add the width of the step or part of a cell
+in which the extinction jumps, and Paper finds the jump by bisection. Paper has neither coefficients
+from arrays nor phase functions but Schlick's, so some of its cells are empty.
 
 {table(head, rows)}
 """

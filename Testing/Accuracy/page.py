@@ -41,7 +41,7 @@ def slope(steps, errors) -> float:
 
 def plot_convergence(path: Path, panels: list) -> None:
     """One panel for each (title, {curve: (steps, errors)}), with lines of first and second order."""
-    figure, axes = plt.subplots(1, len(panels), figsize=(3.1 * len(panels), 3.1), sharey=True)
+    figure, axes = plt.subplots(1, len(panels), figsize=(2.5 * len(panels), 2.8), sharey=True)
     for axis, (title, curves) in zip(axes, panels):
         for name, (steps, errors) in curves.items():
             axis.loglog(steps, errors, "o-", markersize=3, linewidth=1, label=name)

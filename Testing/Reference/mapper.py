@@ -115,6 +115,12 @@ class Stage:
         self.set_steps(voxels)
         return self.render()
 
+    def error_controlled(self) -> np.ndarray:
+        """By the mapper's default, with its default bound."""
+        self.mapper.SetIntegratorToErrorControlled()
+        self.set_steps(0)
+        return self.render()
+
     def exact(self) -> np.ndarray:
         self.mapper.SetIntegratorToExact()
         return self.render()

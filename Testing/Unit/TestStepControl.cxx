@@ -93,23 +93,23 @@ TEST(StepControl, IsRepeatedOnlyForMaterialChanges)
   vtkMediumStepControl control;
   vtkMediumScene scene = MakeScene();
   const double maximum = 1.0 / 255;
-  EXPECT_FALSE(control.IsCalibrated(scene, maximum));
+  EXPECT_FALSE(control.IsCalibrated(scene, maximum, vtkMediumStepControl::Never));
   control.Calibrate(scene, maximum, Voxel, Marched(Law(1e-3, 2)));
-  EXPECT_TRUE(control.IsCalibrated(scene, maximum));
+  EXPECT_TRUE(control.IsCalibrated(scene, maximum, vtkMediumStepControl::Never));
 
   vtkMediumScene moved = scene;
   moved.Eye.Origin += glm::dvec3(0.1, 0, 0);
-  EXPECT_TRUE(control.IsCalibrated(moved, maximum)) << "a small move";
+  EXPECT_TRUE(control.IsCalibrated(moved, maximum, vtkMediumStepControl::Never)) << "a small move";
   moved.Eye.Origin = { 3, 0, 0 };
-  EXPECT_FALSE(control.IsCalibrated(moved, maximum)) << "another side";
+  EXPECT_FALSE(control.IsCalibrated(moved, maximum, vtkMediumStepControl::Never)) << "another side";
 
-  EXPECT_FALSE(control.IsCalibrated(scene, maximum / 2)) << "another error";
+  EXPECT_FALSE(control.IsCalibrated(scene, maximum / 2, vtkMediumStepControl::Never)) << "another error";
   vtkMediumScene relit = scene;
   relit.Lights[0].Direction = { 1, 0, 0 };
-  EXPECT_FALSE(control.IsCalibrated(relit, maximum)) << "another light";
+  EXPECT_FALSE(control.IsCalibrated(relit, maximum, vtkMediumStepControl::Never)) << "another light";
   vtkMediumScene denser = scene;
   denser.Content.DensityScale = 3;
-  EXPECT_FALSE(control.IsCalibrated(denser, maximum)) << "another density";
+  EXPECT_FALSE(control.IsCalibrated(denser, maximum, vtkMediumStepControl::Never)) << "another density";
 }
 
 //------------------------------------------------------------------------------
@@ -121,6 +121,7 @@ TEST(StepControl, MarchesLightRaysWhereCachesErrTooMuch)
     vtkMediumStepControl control;
     int asked = 0;
     vtkMediumStepControl::Probes probes;
+    probes.Caches = vtkMediumStepControl::WhereAccurate;
     probes.Cached = probes.Marched = Law(1e-3, 2);
     probes.CacheError = [&] {
       ++asked;
@@ -131,6 +132,10 @@ TEST(StepControl, MarchesLightRaysWhereCachesErrTooMuch)
     EXPECT_LE(control.GetEstimatedError(), maximum * 1.001);
     EXPECT_GE(control.GetEstimatedError(), control.UsesCaches() ? cacheError : 0);
     control.Calibrate(MakeScene(), maximum / 2, Voxel, probes);
+    probes.Caches = vtkMediumStepControl::Always;
+    control.Calibrate(MakeScene(), maximum, Voxel, probes);
+    EXPECT_TRUE(control.UsesCaches());
+    EXPECT_GE(control.GetEstimatedError(), cacheError) << "it says what always using them costs";
     EXPECT_EQ(asked, 1) << "the caches' error is kept while content and lights are the same";
   }
 }

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
+// SPDX-License-Identifier: BSD-3-Clause
+// ErrorControlled: the error that was asked for, what was skipped on the way, and what was not done twice.
+#include "ReferenceScene.h"
+
+#include "vtkLightCollection.h"
+
+using namespace vtkMediumTest;
+
+namespace
+{
+constexpr double Step8Bit = 1.0 / 255;
+
+// A grey medium, which light caches can serve.
+struct ControlledScene : ReferenceScene
+{
+  explicit ControlledScene(vtkMediumFixtures::Fields field)
+    : ReferenceScene(field)
+  {
+    this->Medium->SetExtinctionScale(6);
+    this->Mapper->SetIntegratorToErrorControlled();
+  }
+};
+}
+
+TEST(ErrorControlled, MeetsTheErrorOnEveryField)
+{
+  for (vtkMediumFixtures::Fields field :
+    { vtkMediumFixtures::Smooth, vtkMediumFixtures::Cloud, vtkMediumFixtures::Binary })
+  {
+    ControlledScene scene(field);
+    scene.FindTruth();
+    for (double maximum : { 4 * Step8Bit, Step8Bit, 0.25 * Step8Bit })
+    {
+      scene.Mapper->SetMaximumError(maximum);
+      const ReferenceScene::Errors errors = scene.Measure();
+      EXPECT_LE(errors.Largest, maximum) << "field " << field;
+      EXPECT_GE(scene.Mapper->GetEstimatedError(), errors.Largest) << "field " << field;
+    }
+  }
+}
+
+TEST(ErrorControlled, SaysWhatAlwaysUsingCachesCosts)
+{
+  ControlledScene scene(vtkMediumFixtures::Binary);
+  scene.Mapper->SetLightCachesToAlways();
+  scene.FindTruth();
+  const ReferenceScene::Errors errors = scene.Measure();
+  EXPECT_GE(scene.Mapper->GetEstimatedError(), errors.Largest);
+  EXPECT_GT(scene.Mapper->GetEstimatedError(), Step8Bit) << "voxels of 0 and 1 are beyond them";
+}
+
+// The plain way, FixedStep in the same step, sees the same picture: bricks and tiles leave nothing out.
+TEST(ErrorControlled, LeapsWithoutLeavingAnythingOut)
+{
+  ControlledScene scene(vtkMediumFixtures::Binary);
+  scene.Mapper->SetLightCachesToNever();
+  scene.Mapper->SetMaximumError(0.05 * Step8Bit);
+  const Picture leapt = scene.Render();
+  EXPECT_GT(scene.Mapper->GetStatistics()->GetBricksLeapt(), 0);
+  scene.Mapper->SetIntegratorToFixedStep();
+  scene.SetSteps(ReferenceVoxel / 16, ReferenceVoxel / 16);
+  const Picture plain = scene.Render();
+  double largest = 0, peak = 0;
+  for (std::size_t i = 0; i < plain.Values.size(); ++i)
+  {
+    largest = std::max(largest, std::abs(double(plain.Values[i]) - leapt.Values[i]));
+    peak = std::max(peak, double(plain.Values[i]));
+  }
+  EXPECT_LT(largest, 2e-3 * peak); // both err by their own steps; a brick that is missed, by far more
+}
+
+TEST(ErrorControlled, CameraAndColourRebuildNothing)
+{
+  ControlledScene scene(vtkMediumFixtures::Smooth);
+  scene.Render();
+  vtkMediumStatistics* done = scene.Mapper->GetStatistics();
+  EXPECT_EQ(done->GetBrickBuilds(), 1);
+  EXPECT_EQ(done->GetLightCacheBuilds(), 3); // one a light
+  const vtkTypeInt64 compiles = done->GetProgramCompiles(), uploads = done->GetTextureUploads();
+
+  scene.Camera->Azimuth(2);
+  scene.Render();
+  EXPECT_EQ(done->GetCalibrations(), 1) << "a small move";
+  vtkLight* light = vtkLight::SafeDownCast(scene.Renderer->GetLights()->GetItemAsObject(0));
+  light->SetDiffuseColor(0.2, 0.4, 0.9);
+  scene.Medium->SetAlbedo(0.5);
+  scene.Render();
+  EXPECT_EQ(done->GetBrickBuilds(), 1);
+  EXPECT_EQ(done->GetLightCacheBuilds(), 3);
+  EXPECT_EQ(done->GetTextureUploads(), uploads);
+  EXPECT_EQ(done->GetProgramCompiles(), compiles);
+
+  light->SetPosition(2, 2, 2);
+  scene.Render();
+  EXPECT_EQ(done->GetLightCacheBuilds(), 4) << "one light moved";
+  scene.Medium->SetExtinctionScale(3);
+  scene.Render();
+  EXPECT_EQ(done->GetBrickBuilds(), 2);
+  EXPECT_EQ(done->GetLightCacheBuilds(), 7) << "another extinction";
+}
+
+TEST(ErrorControlled, DensityScaleKeepsTheCaches)
+{
+  ControlledScene scene(vtkMediumFixtures::Smooth);
+  scene.Render();
+  const vtkTypeInt64 builds = scene.Mapper->GetStatistics()->GetLightCacheBuilds();
+  scene.Medium->SetDensityScale(0.5);
+  scene.FindTruth();
+  const ReferenceScene::Errors errors = scene.Measure();
+  EXPECT_LE(errors.Largest, Step8Bit);
+  EXPECT_EQ(scene.Mapper->GetStatistics()->GetLightCacheBuilds(), builds);
+}
