@@ -81,7 +81,8 @@ bool vtkMediumAccelerator::UpdateCaches(const vtkMediumScene& scene, int lights)
   this->CachedDensityScale = densityScale;
   for (int group = 0; group < CountGroups(lights); ++group)
   {
-    bool changed = allNew || !this->CacheTextures[group] || !this->CacheTextures[group]->GetHandle();
+    bool changed =
+      allNew || !this->CacheTextures[group] || !this->CacheTextures[group]->GetHandle();
     const int end = std::min((group + 1) * LightsPerTexture, lights);
     for (int number = group * LightsPerTexture; number < end; ++number)
     {
@@ -138,11 +139,9 @@ bool vtkMediumAccelerator::UploadGroup(int group, int lights, double densityScal
 }
 
 //------------------------------------------------------------------------------
-bool vtkMediumAccelerator::ProjectTiles(
-  const vtkMediumScene& scene, const glm::ivec2& viewportSize)
+bool vtkMediumAccelerator::ProjectTiles(const vtkMediumScene& scene, const glm::ivec2& viewportSize)
 {
-  vtkMediumBricks::Tiles tiles =
-    this->Bricks.ProjectToTiles(scene, viewportSize.x, viewportSize.y);
+  vtkMediumBricks::Tiles tiles = this->Bricks.ProjectToTiles(scene, viewportSize.x, viewportSize.y);
   this->Scissor = tiles.Scissor;
   if (tiles.Scissor.z < 1 || tiles.Scissor.w < 1)
   {

@@ -96,8 +96,7 @@ void vtkMediumFrame::UpdateDepth(bool copy)
     else
     {
       std::vector<float> far(static_cast<std::size_t>(size.x) * size.y, 1.0f);
-      depth->CreateDepthFromRaw(
-        size.x, size.y, vtkTextureObject::Float32, VTK_FLOAT, far.data());
+      depth->CreateDepthFromRaw(size.x, size.y, vtkTextureObject::Float32, VTK_FLOAT, far.data());
     }
   }
   if (copy)
@@ -166,8 +165,7 @@ void vtkMediumFrame::SetContentUniforms(
   SetUniform(program, "emissionScale", unit * content.Emission.Scale);
   SetUniform(program, "anisotropyScale", content.Anisotropy.Scale);
   SetUniform(program, "phaseLobes",
-    glm::dvec4(
-      content.BackAnisotropy, content.ForwardWeight, content.DraineAlpha, 0));
+    glm::dvec4(content.BackAnisotropy, content.ForwardWeight, content.DraineAlpha, 0));
   for (std::size_t i = 0; i < plan.Lattices.size(); ++i)
   {
     const std::string index = '[' + std::to_string(i) + ']';
@@ -308,8 +306,7 @@ bool vtkMediumFrame::Show(vtkMediumProgram& programs, const Shown& shown)
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglEnable(GL_BLEND);
-  state->vtkglBlendFuncSeparate(
-    GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   state->vtkglDepthMask(GL_FALSE);
 
   vtkTextureObject* radiance = this->Textures[this->Result][0];

@@ -92,10 +92,10 @@ private:
     vtkShaderProgram* program, const vtkMediumScene& scene, const vtkMediumPlan& plan);
   void SetContentUniforms(
     vtkShaderProgram* program, const vtkMediumScene& scene, const vtkMediumPlan& plan);
-  void DrawUntilOver(vtkMediumProgram& programs, vtkShaderProgram* program,
-    const vtkMediumPlan::Pass& pass);
-  void DrawPass(vtkMediumProgram& programs, vtkShaderProgram* program,
-    const vtkMediumPlan::Pass& pass);
+  void DrawUntilOver(
+    vtkMediumProgram& programs, vtkShaderProgram* program, const vtkMediumPlan::Pass& pass);
+  void DrawPass(
+    vtkMediumProgram& programs, vtkShaderProgram* program, const vtkMediumPlan::Pass& pass);
   void UpdateDepth(bool copy);
   void BindTargets(int set);
   void ClearTargets(int set);

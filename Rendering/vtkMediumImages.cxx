@@ -31,8 +31,8 @@ glm::dvec2 FindRange(const vtkMediumScene& scene)
   {
     const glm::dvec3 at =
       scene.Geometry.BoxToLocal(glm::dvec3(corner & 1, corner >> 1 & 1, corner >> 2 & 1));
-    const double distance = scene.Eye.Parallel ? glm::dot(at, scene.Eye.Direction)
-                                               : glm::distance(at, scene.Eye.Origin);
+    const double distance =
+      scene.Eye.Parallel ? glm::dot(at, scene.Eye.Direction) : glm::distance(at, scene.Eye.Origin);
     range[0] = std::min(range[0], distance);
     range[1] = std::max(range[1], distance);
   }
@@ -103,8 +103,8 @@ std::vector<float> vtkMediumImages::Values(const std::vector<float>& radiance,
     else if (!has && IsHit(hits[i]))
     {
       const bool first = output != Mapper::Distance;
-      const double local = first ? hits[i] - scene.Eye.Start
-                                 : static_cast<double>(hits[i + 1]) - hits[i];
+      const double local =
+        first ? hits[i] - scene.Eye.Start : static_cast<double>(hits[i + 1]) - hits[i];
       has = true;
       value = static_cast<float>(local * scene.Geometry.Length);
     }
@@ -133,15 +133,15 @@ std::vector<float> vtkMediumImages::WindowDepths(
       const glm::dvec4 point(
         eye.Origin + at.x * eye.OriginX + at.y * eye.OriginY + t * direction, 1);
       const double depth = 0.5 + 0.5 * glm::dot(eye.ClipZ, point) / glm::dot(eye.ClipW, point);
-      depths.push_back(!IsHit(hits[4 * depths.size()]) ? 1.0f : static_cast<float>(glm::clamp(depth, 0.0, 1.0)));
+      depths.push_back(
+        !IsHit(hits[4 * depths.size()]) ? 1.0f : static_cast<float>(glm::clamp(depth, 0.0, 1.0)));
     }
   }
   return depths;
 }
 
 //------------------------------------------------------------------------------
-void vtkMediumImages::Count(
-  const std::vector<float>& hits, vtkTypeInt64& taps, vtkTypeInt64& rays)
+void vtkMediumImages::Count(const std::vector<float>& hits, vtkTypeInt64& taps, vtkTypeInt64& rays)
 {
   taps = rays = 0;
   for (std::size_t i = 0; i < hits.size(); i += 4)
@@ -152,8 +152,8 @@ void vtkMediumImages::Count(
 }
 
 //------------------------------------------------------------------------------
-void vtkMediumImages::Copy(const std::vector<float>& pixels, int components,
-  const glm::ivec2& size, vtkImageData* image)
+void vtkMediumImages::Copy(
+  const std::vector<float>& pixels, int components, const glm::ivec2& size, vtkImageData* image)
 {
   image->SetExtent(0, size.x - 1, 0, size.y - 1, 0, 0);
   image->SetOrigin(0, 0, 0);

@@ -37,8 +37,8 @@ public:
   static void Count(const std::vector<float>& hits, vtkTypeInt64& taps, vtkTypeInt64& rays);
 
   /// Copies pixels into a float image of the given size, origin 0 and spacing 1.
-  static void Copy(const std::vector<float>& pixels, int components, const glm::ivec2& size,
-    vtkImageData* image);
+  static void Copy(
+    const std::vector<float>& pixels, int components, const glm::ivec2& size, vtkImageData* image);
 };
 
 #endif

@@ -32,25 +32,6 @@ std::string Unfit(const char* what, double value, const char* expected)
   text << what << " is " << value << "; " << expected;
   return text.str();
 }
-
-//------------------------------------------------------------------------------
-// The sample of a function with the largest extinction among those at or above the threshold.
-glm::dvec4 DensestSample(const vtkMediumFunction& function, double threshold)
-{
-  const std::vector<glm::dvec4>& samples = function.GetSamples();
-  const double range = function.GetMaximum() - function.GetMinimum();
-  const double last = static_cast<double>(samples.size()) - 1;
-  glm::dvec4 densest = samples.back();
-  for (std::size_t i = 0; i < samples.size(); ++i)
-  {
-    const double value = function.GetMinimum() + range * static_cast<double>(i) / last;
-    if (value >= threshold && samples[i].w > densest.w)
-    {
-      densest = samples[i];
-    }
-  }
-  return densest;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -97,8 +78,7 @@ vtkMediumPlan::vtkMediumPlan(
 }
 
 //------------------------------------------------------------------------------
-void vtkMediumPlan::Validate(
-  const Settings& settings, const Capabilities& device)
+void vtkMediumPlan::Validate(const Settings& settings, const Capabilities& device)
 {
   const double infinity = std::numeric_limits<double>::infinity();
   if (!(settings.SampleDistance >= 0 && settings.SampleDistance < infinity))
@@ -113,8 +93,8 @@ void vtkMediumPlan::Validate(
   }
   else if (!InUnitInterval(settings.Jitter))
   {
-    this->Refusal = Unfit(
-      "The jitter", settings.Jitter, "set a fraction of a step in [0, 1) (SetJitter).");
+    this->Refusal =
+      Unfit("The jitter", settings.Jitter, "set a fraction of a step in [0, 1) (SetJitter).");
   }
   else if (!InUnitInterval(settings.TransmittanceThreshold))
   {
@@ -133,8 +113,7 @@ void vtkMediumPlan::Validate(
   }
   for (const vtkMediumField& field : this->Fields)
   {
-    const int longest =
-      std::max({ field.Dimensions.x, field.Dimensions.y, field.Dimensions.z });
+    const int longest = std::max({ field.Dimensions.x, field.Dimensions.y, field.Dimensions.z });
     if (this->Refusal.empty() && longest > device.TextureSize3D)
     {
       std::ostringstream text;
@@ -157,78 +136,6 @@ void vtkMediumPlan::ChooseSteps(const vtkMediumScene& scene, const Settings& set
 }
 
 //------------------------------------------------------------------------------
-void vtkMediumPlan::PlanPaper(const vtkMediumScene& scene, const Settings& settings)
-{
-  const vtkMediumScene::Medium& content = scene.Content;
-  const vtkMediumField& scalars = scene.Scalars;
-  if (!scalars.Array)
-  {
-    this->Refusal = "The Paper integrator compares the input's scalars with its threshold, but the "
-                    "input has no scalars; give it some, or use the FixedStep integrator.";
-    return;
-  }
-  if (!(settings.PaperThreshold <= scalars.Maximum))
-  {
-    std::ostringstream text;
-    text << "The paper threshold is " << settings.PaperThreshold
-         << ", but the scalars end at " << scalars.Maximum << " (they span " << scalars.Minimum
-         << ".." << scalars.Maximum << "), so that nothing is filled; set a threshold in that range "
-         << "(SetPaperThreshold).";
-    this->Refusal = text.str();
-    return;
-  }
-  if (settings.Output > Mapper::Distance)
-  {
-    this->Refusal = "The Paper integrator has no such output (" + std::to_string(settings.Output) +
-      "); choose Radiance, FirstHit or Distance, or the FixedStep integrator.";
-    return;
-  }
-  if (settings.Output == Mapper::Radiance && scene.Lights.empty())
-  {
-    this->Refusal = "No light is on, but the Paper integrator shows nothing but scattered light; add "
-                    "a vtkLight with an intensity > 0 to the renderer, or show distances "
-                    "(SetOutputToDistance).";
-    return;
-  }
-
-  const double range = scalars.Maximum - scalars.Minimum;
-  this->PaperThreshold = range > 0 ? (settings.PaperThreshold - scalars.Minimum) / range : 0;
-
-  using Coefficient = vtkMediumScene::Coefficient;
-  for (const Coefficient* coefficient : { &content.Extinction, &content.Scattering })
-  {
-    if (coefficient->Source == Coefficient::Field ||
-      (!coefficient->IsConstant() &&
-        content.Fields[coefficient->FieldIndex].Array != scalars.Array))
-    {
-      this->Refusal = "The Paper integrator draws a homogeneous medium, but a coefficient comes from "
-                      "an array; set constants, or use the FixedStep integrator.";
-      return;
-    }
-  }
-  auto densest = [&](const Coefficient& coefficient) {
-    if (coefficient.IsConstant())
-    {
-      return coefficient.Scale;
-    }
-    const glm::dvec4 sample =
-      DensestSample(content.Functions[coefficient.FunctionIndex], settings.PaperThreshold);
-    return coefficient.Scale *
-      (coefficient.Source == Coefficient::FunctionAlpha ? glm::dvec3(sample.w)
-                                                        : glm::dvec3(sample));
-  };
-  const double unit = content.DensityScale * scene.Geometry.Length;
-  glm::dvec3 extinction = unit * densest(content.Extinction);
-  const glm::dvec3 scattering = densest(content.Scattering) *
-    (content.ScatteringIsAlbedo ? extinction : glm::dvec3(unit));
-  if (content.ExtinctionIsAbsorption)
-  {
-    extinction += scattering;
-  }
-  this->Filled = Homogeneous{ extinction, scattering };
-}
-
-//------------------------------------------------------------------------------
 void vtkMediumPlan::SplitIntoPasses(
   const vtkMediumScene& scene, const Settings& settings, const Capabilities& device)
 {
@@ -237,9 +144,10 @@ void vtkMediumPlan::SplitIntoPasses(
   // surface, which at worst doubles its steps. Binary searches are written out and loop nowhere. Mesa
   // counts one or two iterations more for a loop than it makes, hence the fours.
   const int eyeSteps = static_cast<int>(std::ceil((paper ? 2 : 1) / this->EyeStep)) + 2;
-  const int lightIterations = this->CachedLights > 0 ? 1 : 4 +
-    static_cast<int>(std::ceil(
-      paper ? 1 / this->LightStep : 1 / (this->LightStep * LightTapsPerIteration)));
+  const int lightIterations = this->CachedLights > 0 ? 1
+                                                     : 4 +
+      static_cast<int>(
+        std::ceil(paper ? 1 / this->LightStep : 1 / (this->LightStep * LightTapsPerIteration)));
   const int eyeIterations = 4;
 
   const int lights = this->Lit ? static_cast<int>(scene.Lights.size()) : 0;
@@ -264,8 +172,7 @@ void vtkMediumPlan::PlanErrorControlled(const vtkMediumScene& scene, const Setti
   this->UseBricks = true;
   const double voxel = scene.Geometry.VoxelLength / scene.Geometry.Length;
   this->EyeStep = settings.ControlledStep > 0 ? settings.ControlledStep : voxel;
-  this->LightStep =
-    settings.ControlledLightStep > 0 ? settings.ControlledLightStep : this->EyeStep;
+  this->LightStep = settings.ControlledLightStep > 0 ? settings.ControlledLightStep : this->EyeStep;
 
   // A cache holds one grey optical depth for each lattice point, looked up trilinearly.
   vtkTypeInt64 voxels = 0;
@@ -278,8 +185,8 @@ void vtkMediumPlan::PlanErrorControlled(const vtkMediumScene& scene, const Setti
   }
   const int lights = static_cast<int>(scene.Lights.size());
   const vtkTypeInt64 bytes = 2 * voxels * lights;
-  if (settings.UseLightCaches && this->Lit && linear && !scene.Content.ChromaticExtinction && lights <= MostCachedLights &&
-    bytes <= settings.LightCacheBytes)
+  if (settings.UseLightCaches && this->Lit && linear && !scene.Content.ChromaticExtinction &&
+    lights <= MostCachedLights && bytes <= settings.LightCacheBytes)
   {
     this->CachedLights = lights;
   }
@@ -423,8 +330,8 @@ void vtkMediumPlan::ChooseShaderFiles(int integrator)
 }
 
 //------------------------------------------------------------------------------
-glm::ivec4 vtkMediumPlan::FindScissor(const vtkMediumScene::View& eye,
-  const vtkMediumScene::Box& box, const glm::ivec2& viewportSize)
+glm::ivec4 vtkMediumPlan::FindScissor(
+  const vtkMediumScene::View& eye, const vtkMediumScene::Box& box, const glm::ivec2& viewportSize)
 {
   glm::dvec2 lower(1), upper(-1);
   for (int corner = 0; corner < 8; ++corner)
@@ -439,8 +346,10 @@ glm::ivec4 vtkMediumPlan::FindScissor(const vtkMediumScene::View& eye,
     upper = glm::max(upper, glm::dvec2(clip) / clip.w);
   }
   const glm::dvec2 size(viewportSize);
-  const glm::dvec2 first = glm::clamp(glm::floor((lower * 0.5 + 0.5) * size) - 1.0, glm::dvec2(0), size);
-  const glm::dvec2 last = glm::clamp(glm::ceil((upper * 0.5 + 0.5) * size) + 1.0, glm::dvec2(0), size);
+  const glm::dvec2 first =
+    glm::clamp(glm::floor((lower * 0.5 + 0.5) * size) - 1.0, glm::dvec2(0), size);
+  const glm::dvec2 last =
+    glm::clamp(glm::ceil((upper * 0.5 + 0.5) * size) + 1.0, glm::dvec2(0), size);
   const glm::ivec2 extent = glm::max(glm::ivec2(last - first), glm::ivec2(0));
   return { glm::ivec2(first), extent };
 }

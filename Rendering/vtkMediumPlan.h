@@ -35,9 +35,10 @@ public:
     int DepthDefinition = 0;
     double DepthTransmittance = 0.5;
     double MaximumError = 1.0 / 255;
-    bool UseLightCaches = true; ///< ErrorControlled
+    bool UseLightCaches = true;     ///< ErrorControlled
     double ControlledLightStep = 0; ///< ErrorControlled: of marched light rays; 0: the eye's
-    double ControlledStep = 0; ///< ErrorControlled: the step that was found, local units; 0: a voxel
+    double ControlledStep =
+      0; ///< ErrorControlled: the step that was found, local units; 0: a voxel
     vtkTypeInt64 LightCacheBytes = vtkTypeInt64(1) << 30; ///< the most that light caches may take
   };
 
@@ -92,13 +93,13 @@ public:
   std::string Refusal;
 
   bool UseBricks = false; ///< eye rays keep to the tiles that bricks were projected to
-  int CachedLights = 0;   ///< the first so many lights have a light cache; 0: light rays are marched
-  bool Lit = false;          ///< light rays are marched: there is light, and something scatters it
-  double EyeStep = 0;        ///< local units
-  double LightStep = 0;      ///< local units
+  int CachedLights = 0; ///< the first so many lights have a light cache; 0: light rays are marched
+  bool Lit = false;     ///< light rays are marched: there is light, and something scatters it
+  double EyeStep = 0;   ///< local units
+  double LightStep = 0; ///< local units
   double TransmittanceThreshold = 0;
   double DepthTransmittance = 0;
-  double Jitter = 0; ///< Paper: fraction of a step
+  double Jitter = 0;         ///< Paper: fraction of a step
   double PaperThreshold = 0; ///< Paper: in the units of the texture, 0…1 over the field's range
   Homogeneous Filled;        ///< Paper
   std::vector<vtkMediumField> Fields; ///< the textures that the integrator reads, by number

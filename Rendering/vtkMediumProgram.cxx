@@ -30,8 +30,8 @@ std::string vtkMediumProgram::Assemble(
 }
 
 //------------------------------------------------------------------------------
-vtkShaderProgram* vtkMediumProgram::Use(vtkOpenGLRenderWindow* window,
-  const std::vector<std::string>& files, const std::string& defines)
+vtkShaderProgram* vtkMediumProgram::Use(
+  vtkOpenGLRenderWindow* window, const std::vector<std::string>& files, const std::string& defines)
 {
   std::string key = defines;
   for (const std::string& file : files)

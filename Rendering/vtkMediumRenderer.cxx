@@ -105,8 +105,7 @@ std::string vtkMediumRenderer::Draw(const Request& request, vtkMediumStatistics*
 //------------------------------------------------------------------------------
 std::string vtkMediumRenderer::UseWindow(vtkRenderer* renderer)
 {
-  vtkOpenGLRenderWindow* window =
-    vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  vtkOpenGLRenderWindow* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   int major = 0, minor = 0;
   if (window)
   {
@@ -192,16 +191,16 @@ std::string vtkMediumRenderer::FindStep(
   const Request& request, const vtkMediumPlan::Capabilities& device, bool cached)
 {
   const vtkMediumStepControl::CacheUses caches = !cached ? vtkMediumStepControl::Never
-    : request.AlwaysCache                              ? vtkMediumStepControl::Always
-                                                       : vtkMediumStepControl::WhereAccurate;
+    : request.AlwaysCache                                ? vtkMediumStepControl::Always
+                                                         : vtkMediumStepControl::WhereAccurate;
   if (this->StepControl.IsCalibrated(this->Scene, request.MaximumError, caches))
   {
     return {};
   }
   int width = 0, height = 0, x = 0, y = 0;
   request.Renderer->GetTiledSizeAndOrigin(&width, &height, &x, &y);
-  const glm::ivec2 pixels = glm::clamp(glm::ivec2(width, height) / ProbeReduction,
-    glm::ivec2(FewestProbes), glm::ivec2(MostProbes));
+  const glm::ivec2 pixels = glm::clamp(
+    glm::ivec2(width, height) / ProbeReduction, glm::ivec2(FewestProbes), glm::ivec2(MostProbes));
   const vtkMediumScene::Box& box = this->Scene.Geometry;
   const double voxel = box.VoxelLength / box.Length;
   vtkMediumPlan::Settings settings = request.Settings;
@@ -263,8 +262,9 @@ std::string vtkMediumRenderer::DrawFrame(const Request& request, const vtkMedium
   if (refusal.empty() && request.Show &&
     !this->Frame.Show(this->Programs, vtkMediumImages::FindShown(this->Scene, this->Output)))
   {
-    refusal = "The shader that shows a frame did not compile on this device; the compiler's words are "
-              "above.";
+    refusal =
+      "The shader that shows a frame did not compile on this device; the compiler's words are "
+      "above.";
   }
   glFinish(); // so that the time that was measured is the time it took
   return refusal;

@@ -48,9 +48,9 @@ public:
     vtkParticipatingMedium* Medium = nullptr; ///< null: the volume's property
     double Anisotropy = 0;                    ///< of the property
     vtkMediumScene::Phases Phase = vtkMediumScene::HenyeyGreenstein; ///< of the property
-    double MaximumError = 0; ///< ErrorControlled
+    double MaximumError = 0;                                         ///< ErrorControlled
     bool AlwaysCache = false; ///< ErrorControlled: light caches whatever their error
-    bool Show = true;        ///< in the window
+    bool Show = true;         ///< in the window
     vtkMediumPlan::Settings Settings;
   };
 

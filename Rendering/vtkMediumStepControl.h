@@ -50,15 +50,15 @@ public:
 
   /// Whether the last calibration holds for this scene and error: the same content and lights, and an
   /// eye that has moved by less than a tenth of its distance and turned by less than ten degrees.
-  bool IsCalibrated(
-    const vtkMediumScene& scene, double maximumError, CacheUses caches) const;
+  bool IsCalibrated(const vtkMediumScene& scene, double maximumError, CacheUses caches) const;
 
   /// Finds the step; `voxel` is the step of one voxel, local units.
   void Calibrate(
     const vtkMediumScene& scene, double maximumError, double voxel, const Probes& probes);
 
   /// The largest difference of two images of the same pixels, as a fraction of the second's peak.
-  static double RelativeDifference(const std::vector<float>& image, const std::vector<float>& other);
+  static double RelativeDifference(
+    const std::vector<float>& image, const std::vector<float>& other);
 
   /// Whether light comes from the caches: their error leaves room for that of the step.
   bool UsesCaches() const { return this->Cached; }

@@ -18,11 +18,11 @@ std::string Expression(const vtkMediumScene::Coefficient& coefficient, const cha
     case Coefficient::Field:
     {
       const char* swizzles[4] = { ".rrr", ".ggg", ".bbb", ".aaa" };
-      const bool rgb = coefficient.Component < 0 &&
-        content.Fields[coefficient.FieldIndex].Components >= 3;
+      const bool rgb =
+        coefficient.Component < 0 && content.Fields[coefficient.FieldIndex].Components >= 3;
       text << "(fieldValue(" << coefficient.FieldIndex << ", box)"
-           << (rgb ? ".rgb" : swizzles[coefficient.Component < 0 ? 0 : coefficient.Component]) << " * "
-           << scale << ")";
+           << (rgb ? ".rgb" : swizzles[coefficient.Component < 0 ? 0 : coefficient.Component])
+           << " * " << scale << ")";
       break;
     }
     case Coefficient::FunctionRGB:
@@ -77,8 +77,7 @@ std::string vtkMediumStructure::ExactDefines(const vtkMediumScene::Medium& conte
   const Coefficient& extinction = content.Extinction;
   const bool function = extinction.Source == Coefficient::FunctionRGB ||
     extinction.Source == Coefficient::FunctionAlpha;
-  if (!function || content.ExtinctionIsAbsorption ||
-    !content.Fields[extinction.FieldIndex].Linear)
+  if (!function || content.ExtinctionIsAbsorption || !content.Fields[extinction.FieldIndex].Linear)
   {
     return {}; // affine in the field, a sum that has no table of its own, or constant in a cell
   }

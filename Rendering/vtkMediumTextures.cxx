@@ -14,8 +14,8 @@
 
 namespace
 {
-constexpr int JitterSize = 64;          // texels along an edge of the table of random numbers
-constexpr int TexelsPerLight = 4;       // see Shaders/vtkMediumLights.glsl
+constexpr int JitterSize = 64;    // texels along an edge of the table of random numbers
+constexpr int TexelsPerLight = 4; // see Shaders/vtkMediumLights.glsl
 
 //------------------------------------------------------------------------------
 void AppendTexel(std::vector<float>& texels, const glm::dvec3& rgb, double alpha)
@@ -110,8 +110,7 @@ void vtkMediumTextures::UploadTable(vtkTextureObject* texture, int width, int he
   texture->SetWrapT(vtkTextureObject::ClampToEdge);
   texture->SetMinificationFilter(filter);
   texture->SetMagnificationFilter(filter);
-  texture->Create2DFromRaw(
-    width, height, components, VTK_FLOAT, const_cast<float*>(texels.data()));
+  texture->Create2DFromRaw(width, height, components, VTK_FLOAT, const_cast<float*>(texels.data()));
   ++this->Uploads;
 }
 
@@ -162,7 +161,8 @@ void vtkMediumTextures::UpdateLights(const std::vector<vtkMediumScene::Light>& l
   }
   this->UploadTable(
     this->LightTable, TexelsPerLight, static_cast<int>(lights.size()), 4, texels, false);
-  --this->Uploads; // a light's numbers are no upload worth counting: a headlight's change every frame
+  --this
+      ->Uploads; // a light's numbers are no upload worth counting: a headlight's change every frame
   this->LightTexels = texels;
 }
 
@@ -265,8 +265,8 @@ void vtkMediumTextures::ReleaseGraphicsResources(vtkWindow* window)
 //------------------------------------------------------------------------------
 vtkTypeInt64 vtkMediumTextures::GetBytes() const
 {
-  vtkTypeInt64 floats = JitterSize * JitterSize + this->LightTexels.size() +
-    this->PhaseTexels.size();
+  vtkTypeInt64 floats =
+    JitterSize * JitterSize + this->LightTexels.size() + this->PhaseTexels.size();
   for (const auto& field : this->Fields)
   {
     const glm::ivec3& size = field->Dimensions;

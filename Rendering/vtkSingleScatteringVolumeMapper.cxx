@@ -111,9 +111,10 @@ std::string vtkSingleScatteringVolumeMapper::CheckContract()
   vtkDataObject* input = this->GetDataObjectInput();
   if (!vtkImageData::SafeDownCast(input))
   {
-    text << "The input is " << (input ? input->GetClassName() : "missing")
-         << ", but this mapper takes a vtkImageData; connect one (SetInputConnection, SetInputData), "
-            "or resample the data to one (vtkResampleToImage).";
+    text
+      << "The input is " << (input ? input->GetClassName() : "missing")
+      << ", but this mapper takes a vtkImageData; connect one (SetInputConnection, SetInputData), "
+         "or resample the data to one (vtkResampleToImage).";
   }
   else if (this->GetBlendMode() != vtkVolumeMapper::COMPOSITE_BLEND)
   {
@@ -122,8 +123,9 @@ std::string vtkSingleScatteringVolumeMapper::CheckContract()
   }
   else if (this->GetCropping())
   {
-    text << "Cropping is on, but this mapper does not crop; switch it off (CroppingOff) and extract "
-            "the region from the image instead (vtkExtractVOI).";
+    text
+      << "Cropping is on, but this mapper does not crop; switch it off (CroppingOff) and extract "
+         "the region from the image instead (vtkExtractVOI).";
   }
   else if (this->GetNumberOfClippingPlanes() > 0)
   {

@@ -78,9 +78,9 @@ public:
   /// What the image holds.
   enum Outputs
   {
-    Radiance, ///< radiance, premultiplied; alpha is 1 - mean transmittance
-    FirstHit, ///< distance along the eye ray to the first point of the medium, world units
-    Distance, ///< distance from the first to the last point of the medium, world units
+    Radiance,      ///< radiance, premultiplied; alpha is 1 - mean transmittance
+    FirstHit,      ///< distance along the eye ray to the first point of the medium, world units
+    Distance,      ///< distance from the first to the last point of the medium, world units
     Transmittance, ///< transmittance along the eye ray, R, G and B
     OpticalDepth,  ///< optical depth along the eye ray, R, G and B
     Depth,         ///< distance along the eye ray, world units, as DepthDefinition has it
@@ -92,7 +92,7 @@ public:
   {
     FirstHitDepth,       ///< where the extinction is first above zero
     MeanScatteringDepth, ///< the mean of where the light that reaches the eye was scattered or emitted
-    TransmittanceDepth,  ///< where the transmittance falls to DepthTransmittance
+    TransmittanceDepth, ///< where the transmittance falls to DepthTransmittance
   };
 
   /// When ErrorControlled uses light caches.

@@ -78,7 +78,7 @@ int main(int argc, char* argv[])
   Picture::Options options;
   options.Output = "ct.png";
   options.Size = 512;
-  options.Step = 1; // mm
+  options.Step = 0; // mm; 0: the mapper finds it
   options = Picture::ReadOptions(argc, argv,
     "INPUT is a .vti, .nii, .nii.gz, .mhd, .mha or .nrrd "
     "file or a folder of DICOM slices, in HU and mm; Examples/Data/cranium.py makes one.",
@@ -97,9 +97,18 @@ int main(int argc, char* argv[])
     std::cerr << "CT: " << error.what() << "\n";
     return 2;
   }
-  mapper->SetIntegratorToFixedStep();
-  mapper->SetSampleDistance(options.Step);
-  mapper->SetLightSampleDistance(2 * options.Step);
+  if (options.Step > 0)
+  {
+    mapper->SetIntegratorToFixedStep();
+    mapper->SetSampleDistance(options.Step);
+    mapper->SetLightSampleDistance(2 * options.Step);
+  }
+  else
+  {
+    mapper->SetIntegratorToErrorControlled();
+    mapper->SetMaximumError(4.0 / 255); // of the step; bone and air side by side cost caches more
+    mapper->SetLightCachesToAlways();
+  }
 
   vtkNew<vtkVolume> volume;
   volume->SetMapper(mapper);

@@ -24,7 +24,8 @@ parser.add_argument("volume", nargs="?", help="a .vti, .nii, .nii.gz, .mhd, .mha
                     "file or a folder of DICOM slices, in HU and mm")
 parser.add_argument("--output", default="ct.png", help="the PNG to write")
 parser.add_argument("--size", type=int, default=512, help="pixels along an edge")
-parser.add_argument("--step", type=float, default=1.0, help="mm along a ray; twice that to a light")
+parser.add_argument("--step", type=float, help="mm along a ray, twice that to a light, in FixedStep; "
+                    "without it the mapper finds a step and looks light up in caches")
 parser.add_argument("--interactive", action="store_true", help="open a window")
 options = parser.parse_args()
 
@@ -43,9 +44,14 @@ def light(position, colour, irradiance):
 try:
     mapper = vtkSingleScatteringVolumeMapper()
     mapper.SetInputData(read_volume(options.volume) if options.volume else read_cranium())
-    mapper.SetIntegratorToFixedStep()
-    mapper.SetSampleDistance(options.step)
-    mapper.SetLightSampleDistance(2 * options.step)
+    if options.step:
+        mapper.SetIntegratorToFixedStep()
+        mapper.SetSampleDistance(options.step)
+        mapper.SetLightSampleDistance(2 * options.step)
+    else:
+        mapper.SetIntegratorToErrorControlled()
+        mapper.SetMaximumError(4 / 255)  # of the step; bone and air side by side cost caches more
+        mapper.SetLightCachesToAlways()
     volume = vtkVolume()
     volume.SetMapper(mapper)
     volume.SetProperty(hounsfield_property())  # extinction in 1/mm and albedo by CT number

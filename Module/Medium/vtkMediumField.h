@@ -24,14 +24,14 @@ class VTKPARTICIPATINGMEDIUM_EXPORT vtkMediumField
 {
 public:
   vtkSmartPointer<vtkDataArray> Array;
-  vtkMTimeType Time = 0;    ///< when the array or the image that holds it was last modified
+  vtkMTimeType Time = 0; ///< when the array or the image that holds it was last modified
   bool OnCells = false;
-  bool Linear = true;       ///< trilinear between lattice values, else the nearest one
-  int FirstComponent = 0;   ///< of the array
-  int Components = 1;       ///< 1 to 4, from FirstComponent on
+  bool Linear = true;         ///< trilinear between lattice values, else the nearest one
+  int FirstComponent = 0;     ///< of the array
+  int Components = 1;         ///< 1 to 4, from FirstComponent on
   glm::ivec3 Dimensions{ 0 }; ///< lattice values along each axis (points, or cells)
-  double Minimum = 0;       ///< smallest finite value over the components
-  double Maximum = 0;       ///< largest finite value over the components
+  double Minimum = 0;         ///< smallest finite value over the components
+  double Maximum = 0;         ///< largest finite value over the components
 
   /// Fills Minimum and Maximum from the array's finite values; false if it has none.
   bool FindRange();

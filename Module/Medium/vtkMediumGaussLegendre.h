@@ -103,8 +103,8 @@ auto vtkMediumIntegrate(double a, double b, const Function& function,
   const vtkMediumAgreement& agreement, int bisections) -> decltype(function(a))
 {
   const auto fourth = vtkMediumGaussLegendre<4>::Integrate(a, b, function);
-  if (agreement.Holds(vtkMediumGaussLegendre<3>::Integrate(a, b, function), fourth,
-        vtkMediumFirstLookStrictness))
+  if (agreement.Holds(
+        vtkMediumGaussLegendre<3>::Integrate(a, b, function), fourth, vtkMediumFirstLookStrictness))
   {
     return fourth;
   }

@@ -58,8 +58,7 @@ void vtkMediumLatticeValues::GetCorners(
   const std::size_t strideX = this->Components;
   const std::size_t strideY = strideX * this->Lattice.Dimensions.x;
   const std::size_t strideZ = strideY * this->Lattice.Dimensions.y;
-  const std::size_t base =
-    component + lower.x * strideX + lower.y * strideY + lower.z * strideZ;
+  const std::size_t base = component + lower.x * strideX + lower.y * strideY + lower.z * strideZ;
   if (!this->Lattice.Linear)
   {
     corners[0] = this->Get(base);

@@ -144,8 +144,8 @@ double vtkMediumOpticalDepth::IntegrateFunction(const double corners[8], const g
   cuts.push_back(1);
   std::sort(cuts.begin(), cuts.end());
   const vtkMediumScene::Medium& medium = this->Content.GetMedium();
-  const double scale = (b - a) * this->Box.Length * medium.DensityScale *
-    vtkMediumMagnitude(medium.Extinction.Scale);
+  const double scale =
+    (b - a) * this->Box.Length * medium.DensityScale * vtkMediumMagnitude(medium.Extinction.Scale);
   const vtkMediumAgreement agreement{ scale > 0 ? this->Tolerance / scale : 1,
     std::max(this->Function->GetFacetError(), 1e-14) };
   double sum = 0;

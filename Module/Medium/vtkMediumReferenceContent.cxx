@@ -169,8 +169,8 @@ vtkMediumScene::Coefficients vtkMediumReferenceContent::Evaluate(const glm::dvec
 }
 
 //------------------------------------------------------------------------------
-vtkMediumRayCells::vtkMediumRayCells(const vtkMediumReferenceContent& content,
-  int fields, const vtkMediumBoxRay& ray, double begin, double end)
+vtkMediumRayCells::vtkMediumRayCells(const vtkMediumReferenceContent& content, int fields,
+  const vtkMediumBoxRay& ray, double begin, double end)
   : Content(content)
   , Begin(begin)
   , End(begin)
@@ -216,9 +216,9 @@ bool vtkMediumRayCells::Next()
 //------------------------------------------------------------------------------
 double vtkMediumRayCells::InterpolateComponent(const Field& field, int component, double t) const
 {
-  return field.Linear ? vtkMediumTrilinear(field.Corners[component],
-                          field.Fraction + t * field.Walk.GetSlope())
-                      : field.Corners[component][0];
+  return field.Linear
+    ? vtkMediumTrilinear(field.Corners[component], field.Fraction + t * field.Walk.GetSlope())
+    : field.Corners[component][0];
 }
 
 //------------------------------------------------------------------------------

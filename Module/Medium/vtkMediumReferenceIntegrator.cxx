@@ -77,7 +77,6 @@ struct vtkMediumReferenceIntegrator::Piece
   double Tolerance;        ///< absolute, of this piece's radiance
 };
 
-
 //------------------------------------------------------------------------------
 vtkMediumReferenceIntegrator::vtkMediumReferenceIntegrator(
   const vtkMediumScene& scene, const vtkMediumReferenceContent& content, double tolerance)
@@ -90,7 +89,8 @@ vtkMediumReferenceIntegrator::vtkMediumReferenceIntegrator(
 
 //------------------------------------------------------------------------------
 vtkMediumReferenceIntegrator::Result vtkMediumReferenceIntegrator::Evaluate(
-  const glm::dvec3& origin, const glm::dvec3& direction, double begin, double end, double peak) const
+  const glm::dvec3& origin, const glm::dvec3& direction, double begin, double end,
+  double peak) const
 {
   if (!(peak > 0))
   {
@@ -174,11 +174,9 @@ glm::dvec3 vtkMediumReferenceIntegrator::IntegratePiece(
     return glm::dvec3(0);
   }
   const double middle = 0.5 * (u0 + u1);
-  const glm::dvec3 within =
-    this->Depth.EvaluateInCell(piece.Cells, piece.Begin, u0, u1);
+  const glm::dvec3 within = this->Depth.EvaluateInCell(piece.Cells, piece.Begin, u0, u1);
   const auto bisect = [&]() {
-    const glm::dvec3 half =
-      this->Depth.EvaluateInCell(piece.Cells, piece.Begin, u0, middle);
+    const glm::dvec3 half = this->Depth.EvaluateInCell(piece.Cells, piece.Begin, u0, middle);
     return this->IntegratePiece(piece, u0, middle, depth0, level + 1) +
       this->IntegratePiece(piece, middle, u1, depth0 + half, level + 1);
   };
@@ -214,12 +212,10 @@ glm::dvec3 vtkMediumReferenceIntegrator::IntegratePiece(
 
 //------------------------------------------------------------------------------
 template <int N>
-glm::dvec3 vtkMediumReferenceIntegrator::Sum(
-  const Piece& piece, double u0, double u1) const
+glm::dvec3 vtkMediumReferenceIntegrator::Sum(const Piece& piece, double u0, double u1) const
 {
   return this->Scene.Geometry.Length *
-    vtkMediumGaussLegendre<N>::Integrate(
-      u0, u1, [&](double u) { return this->Source(piece, u); });
+    vtkMediumGaussLegendre<N>::Integrate(u0, u1, [&](double u) { return this->Source(piece, u); });
 }
 
 //------------------------------------------------------------------------------

@@ -96,8 +96,7 @@ std::string GatherBox(vtkMediumScene::Box& box, vtkImageData* input, vtkVolume* 
   box.BoxToLocalOrigin = -(box.BoxToLocalAxes * glm::dvec3(0.5));
   box.LocalToBoxAxes = glm::inverse(box.BoxToLocalAxes);
   box.LocalToBoxOrigin = glm::dvec3(0.5);
-  box.VoxelLength =
-    std::min({ glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2]) });
+  box.VoxelLength = std::min({ glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2]) });
   return {};
 }
 }
@@ -156,8 +155,7 @@ std::string vtkMediumScene::GatherView(vtkMatrix4x4* worldToClip)
   const glm::dmat3 normals =
     glm::transpose(glm::dmat3(glm::dvec3(rowX), glm::dvec3(rowY), glm::dvec3(rowW)));
   view.Parallel = glm::dvec3(rowW) == glm::dvec3(0);
-  const double size =
-    glm::length(glm::dvec3(rowX)) * glm::length(glm::dvec3(rowY)) *
+  const double size = glm::length(glm::dvec3(rowX)) * glm::length(glm::dvec3(rowY)) *
     (view.Parallel ? 1.0 : glm::length(glm::dvec3(rowW)));
   const double determinant =
     view.Parallel ? glm::length(view.Direction) : std::abs(glm::determinant(normals));
@@ -214,10 +212,9 @@ glm::dvec3 vtkMediumScene::EvaluateCoefficient(
     {
       const glm::dvec4& value = fields[coefficient.FieldIndex];
       const vtkMediumField& field = this->Content.Fields[coefficient.FieldIndex];
-      const int component = field.Components < 3 ? std::max(coefficient.Component, 0)
-                                                 : coefficient.Component;
-      return coefficient.Scale *
-        (component < 0 ? glm::dvec3(value) : glm::dvec3(value[component]));
+      const int component =
+        field.Components < 3 ? std::max(coefficient.Component, 0) : coefficient.Component;
+      return coefficient.Scale * (component < 0 ? glm::dvec3(value) : glm::dvec3(value[component]));
     }
     case Coefficient::FunctionRGB:
     case Coefficient::FunctionAlpha:
@@ -244,8 +241,8 @@ vtkMediumScene::Coefficients vtkMediumScene::Evaluate(const glm::dvec3& box) con
   Coefficients result;
   result.Extinction = content.DensityScale * this->EvaluateCoefficient(content.Extinction, fields);
   const glm::dvec3 scattering = this->EvaluateCoefficient(content.Scattering, fields);
-  result.Scattering = content.ScatteringIsAlbedo ? scattering * result.Extinction
-                                                 : content.DensityScale * scattering;
+  result.Scattering =
+    content.ScatteringIsAlbedo ? scattering * result.Extinction : content.DensityScale * scattering;
   if (content.ExtinctionIsAbsorption)
   {
     result.Extinction += result.Scattering;

@@ -46,8 +46,8 @@ public:
   /// Where the volume is.
   struct Box
   {
-    double Length = 1;            ///< world units per local unit
-    glm::dvec3 Center{ 0 };       ///< world position of the local origin
+    double Length = 1;              ///< world units per local unit
+    glm::dvec3 Center{ 0 };         ///< world position of the local origin
     glm::dmat3 BoxToLocalAxes{ 1 }; ///< columns: the box's edges in local space
     glm::dvec3 BoxToLocalOrigin{ 0 };
     glm::dmat3 LocalToBoxAxes{ 1 };
@@ -115,14 +115,14 @@ public:
     /// sigma_s per world unit, or the albedo sigma_s / sigma_t where ScatteringIsAlbedo is set.
     Coefficient Scattering;
     bool ScatteringIsAlbedo = true;
-    Coefficient Emission; ///< sigma_e, radiance per world unit
+    Coefficient Emission;    ///< sigma_e, radiance per world unit
     double DensityScale = 1; ///< multiplies extinction, scattering and emission
 
     Phases Phase = HenyeyGreenstein;
-    Coefficient Anisotropy;      ///< g (SchlickK: k) of the first lobe; one value or a field
-    double BackAnisotropy = 0;   ///< g of the second lobe of DoubleHenyeyGreenstein and Droplets
-    double ForwardWeight = 1;    ///< weight of their first lobe, 0 to 1
-    double DraineAlpha = 0;      ///< alpha of Draine's function, >= 0
+    Coefficient Anisotropy;         ///< g (SchlickK: k) of the first lobe; one value or a field
+    double BackAnisotropy = 0;      ///< g of the second lobe of DoubleHenyeyGreenstein and Droplets
+    double ForwardWeight = 1;       ///< weight of their first lobe, 0 to 1
+    double DraineAlpha = 0;         ///< alpha of Draine's function, >= 0
     std::vector<double> PhaseTable; ///< values per steradian at equally spaced cosines -1…1
 
     bool ChromaticExtinction = false; ///< sigma_t differs between R, G and B
@@ -146,12 +146,12 @@ public:
       Spot,
     };
     Types Type = Directional;
-    glm::dvec3 Position{ 0 };       ///< local; Point and Spot
-    glm::dvec3 Direction{ 0, 0, 1 }; ///< unit; the way the light travels; Directional and Spot
-    glm::dvec3 Irradiance{ 0 };     ///< colour x intensity
+    glm::dvec3 Position{ 0 };          ///< local; Point and Spot
+    glm::dvec3 Direction{ 0, 0, 1 };   ///< unit; the way the light travels; Directional and Spot
+    glm::dvec3 Irradiance{ 0 };        ///< colour x intensity
     glm::dvec3 Attenuation{ 1, 0, 0 }; ///< a, b, c of 1/(a + b r + c r^2), r in local units
-    double CosCone = -1;            ///< Spot: cosine of the cone's half angle
-    double Exponent = 1;            ///< Spot: fall-off inside the cone
+    double CosCone = -1;               ///< Spot: cosine of the cone's half angle
+    double Exponent = 1;               ///< Spot: fall-off inside the cone
   };
 
   /// The eye rays. Through the point (x, y) of the viewport, both in -1…1, goes the ray

@@ -67,8 +67,7 @@ vtkMediumShadowEdges::vtkMediumShadowEdges(const vtkMediumReferenceContent& cont
   : Content(content)
   , Ray(ray)
   , Positional(light.Type != vtkMediumScene::Light::Directional)
-  , Light(this->Positional ? box.LocalToBox(light.Position)
-                           : box.LocalToBoxAxes * -light.Direction)
+  , Light(this->Positional ? box.LocalToBox(light.Position) : box.LocalToBoxAxes * -light.Direction)
 {
 }
 
@@ -100,15 +99,14 @@ bool vtkMediumShadowEdges::Sweep::Cross(
   }
   const glm::dvec3 at = this->Begin + fraction * (this->End - this->Begin);
   const glm::dvec3 way = this->ToLight(at);
-  const double reach = std::abs(way[u]) > std::abs(way[v]) ? (i - at[u]) / way[u]
-                                                           : (j - at[v]) / way[v];
+  const double reach =
+    std::abs(way[u]) > std::abs(way[v]) ? (i - at[u]) / way[u] : (j - at[v]) / way[v];
   height = at[w] + reach * way[w];
   return reach > 0 && (!this->Positional || reach < 1);
 }
 
 //------------------------------------------------------------------------------
-void vtkMediumShadowEdges::AppendBoxEdges(
-  double begin, double end, std::vector<double>& cuts) const
+void vtkMediumShadowEdges::AppendBoxEdges(double begin, double end, std::vector<double>& cuts) const
 {
   const Sweep sweep = this->MakeSweep(glm::dvec3(1), 0, begin, end);
   for (int edge = 0; edge < 12; ++edge)

@@ -44,8 +44,7 @@ private:
     }
     bool Cross(int u, double i, double j, double& fraction, double& height) const;
   };
-  Sweep MakeSweep(
-    const glm::dvec3& scale, double offset, double begin, double end) const;
+  Sweep MakeSweep(const glm::dvec3& scale, double offset, double begin, double end) const;
   void AppendVoxelEdges(const vtkMediumLatticeValues& values, const Sweep& sweep, int u,
     double begin, double end, std::vector<double>& cuts) const;
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSingleScatteringReference.h"
 
+#include "vtkMediumReferenceEyeRay.h"
 #include "vtkMediumReferenceIntegrator.h"
 #include "vtkParticipatingMedium.h"
 
@@ -21,8 +22,8 @@
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
-#include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -45,45 +46,8 @@ double Mean(const glm::dvec3& rgb)
 //------------------------------------------------------------------------------
 double Alpha(const glm::dvec3& opticalDepth)
 {
-  return -Mean({ std::expm1(-opticalDepth.x), std::expm1(-opticalDepth.y),
-    std::expm1(-opticalDepth.z) });
-}
-
-//------------------------------------------------------------------------------
-glm::dvec3 FromArray(const double values[3])
-{
-  return { values[0], values[1], values[2] };
-}
-
-//------------------------------------------------------------------------------
-struct EyeRay
-{
-  glm::dvec3 Origin;
-  glm::dvec3 Direction;
-  double Begin;
-};
-
-//------------------------------------------------------------------------------
-// The ray through a pixel's centre, local units. The near plane is where clip z = -w.
-EyeRay GetEyeRay(const vtkMediumScene::View& eye, const int size[2], int i, int j)
-{
-  const double x = 2 * (i + 0.5) / size[0] - 1;
-  const double y = 2 * (j + 0.5) / size[1] - 1;
-  EyeRay ray;
-  ray.Origin = eye.Origin + x * eye.OriginX + y * eye.OriginY;
-  ray.Direction = glm::normalize(eye.Direction + x * eye.DirectionX + y * eye.DirectionY);
-  const glm::dvec4 nearPlane = eye.ClipZ + eye.ClipW;
-  const double height = glm::dot(nearPlane, glm::dvec4(ray.Origin, 1));
-  const double slope = glm::dot(glm::dvec3(nearPlane), ray.Direction);
-  ray.Begin = slope > 0 ? -height / slope : 0;
-  if (eye.Parallel)
-  {
-    // The origin is anywhere on the line; let the ray start at the near plane.
-    ray.Origin += ray.Begin * ray.Direction;
-    ray.Begin = 0;
-  }
-  ray.Begin = std::max(ray.Begin, 0.0);
-  return ray;
+  return -Mean(
+    { std::expm1(-opticalDepth.x), std::expm1(-opticalDepth.y), std::expm1(-opticalDepth.z) });
 }
 }
 
@@ -118,15 +82,18 @@ vtkSingleScatteringReference::~vtkSingleScatteringReference() = default;
       this->Modified();                                                                            \
     }                                                                                              \
   }                                                                                                \
-  type* vtkSingleScatteringReference::Get##name() { return this->name; }
+  type* vtkSingleScatteringReference::Get##name()                                                  \
+  {                                                                                                \
+    return this->name;                                                                             \
+  }
 
 vtkSingleScatteringReferenceObjectMacro(InputData, vtkImageData)
-vtkSingleScatteringReferenceObjectMacro(Medium, vtkParticipatingMedium)
-vtkSingleScatteringReferenceObjectMacro(Volume, vtkVolume)
-vtkSingleScatteringReferenceObjectMacro(Renderer, vtkRenderer)
+  vtkSingleScatteringReferenceObjectMacro(Medium, vtkParticipatingMedium)
+    vtkSingleScatteringReferenceObjectMacro(Volume, vtkVolume)
+      vtkSingleScatteringReferenceObjectMacro(Renderer, vtkRenderer)
 
-//------------------------------------------------------------------------------
-vtkMTimeType vtkSingleScatteringReference::GetMTime()
+  //------------------------------------------------------------------------------
+  vtkMTimeType vtkSingleScatteringReference::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();
   const auto include = [&time](vtkObject* object) {
@@ -175,7 +142,8 @@ std::string vtkSingleScatteringReference::GatherMedium()
   vtkImageData* input = this->FindInput();
   if (!input)
   {
-    return "There is no vtkImageData; call SetInputData, or SetVolume with a volume whose mapper has "
+    return "There is no vtkImageData; call SetInputData, or SetVolume with a volume whose mapper "
+           "has "
            "one as its input.";
   }
   vtkAbstractVolumeMapper* mapper = this->Volume ? this->Volume->GetMapper() : nullptr;
@@ -270,8 +238,10 @@ double vtkSingleScatteringReference::EstimatePeak(const int size[2])
     {
       const int i = static_cast<int>((sample % columns + 0.5) * size[0] / columns);
       const int j = static_cast<int>((sample / columns + 0.5) * size[1] / rows);
-      const EyeRay ray = GetEyeRay(this->Scene->Facts.Eye, size, i, j);
-      radiances[sample] = vtkMediumMagnitude(integrator
+      const vtkMediumReferenceEyeRay ray =
+        vtkMediumReferenceEyeRayOf(this->Scene->Facts.Eye, size, i, j);
+      radiances[sample] = vtkMediumMagnitude(
+        integrator
           .Estimate(ray.Origin, ray.Direction, ray.Begin, std::numeric_limits<double>::infinity())
           .Radiance);
     }
@@ -318,10 +288,11 @@ bool vtkSingleScatteringReference::GetColorImage(vtkImageData* image)
       [&](vtkIdType first, vtkIdType last) {
         for (vtkIdType pixel = first; pixel < last; ++pixel)
         {
-          const EyeRay ray = GetEyeRay(this->Scene->Facts.Eye, size,
-            static_cast<int>(pixel % columns) * stride, static_cast<int>(pixel / columns) * stride);
-          const auto result = integrator.Evaluate(ray.Origin, ray.Direction, ray.Begin,
-            std::numeric_limits<double>::infinity(), peak);
+          const vtkMediumReferenceEyeRay ray = vtkMediumReferenceEyeRayOf(this->Scene->Facts.Eye,
+            size, static_cast<int>(pixel % columns) * stride,
+            static_cast<int>(pixel / columns) * stride);
+          const auto result = integrator.Evaluate(
+            ray.Origin, ray.Direction, ray.Begin, std::numeric_limits<double>::infinity(), peak);
           double* out = rgba + 4 * pixel;
           std::copy(&result.Radiance[0], &result.Radiance[0] + 3, out);
           out[3] = Alpha(result.OpticalDepth);
@@ -347,7 +318,7 @@ bool vtkSingleScatteringReference::Radiance(
   const double origin[3], const double direction[3], double rgba[4])
 {
   std::fill(rgba, rgba + 4, 0.0);
-  const double length = glm::length(FromArray(direction));
+  const double length = glm::length(glm::make_vec3(direction));
   if (!(length > 0) || !std::isfinite(length))
   {
     vtkErrorMacro(<< "The direction (" << direction[0] << ", " << direction[1] << ", "
@@ -362,16 +333,15 @@ bool vtkSingleScatteringReference::Radiance(
   const vtkMediumReferenceIntegrator integrator(
     this->Scene->Facts, this->Scene->Content, this->Tolerance);
   const auto result =
-    integrator.Evaluate(this->Scene->Facts.Geometry.WorldToLocal(FromArray(origin)),
-      FromArray(direction) / length, 0, std::numeric_limits<double>::infinity(), 0);
+    integrator.Evaluate(this->Scene->Facts.Geometry.WorldToLocal(glm::make_vec3(origin)),
+      glm::make_vec3(direction) / length, 0, std::numeric_limits<double>::infinity(), 0);
   std::copy(&result.Radiance[0], &result.Radiance[0] + 3, rgba);
   rgba[3] = Alpha(result.OpticalDepth);
   return true;
 }
 
 //------------------------------------------------------------------------------
-void vtkSingleScatteringReference::OpticalDepth(
-  const double a[3], const double b[3], double rgb[3])
+void vtkSingleScatteringReference::OpticalDepth(const double a[3], const double b[3], double rgb[3])
 {
   std::fill(rgb, rgb + 3, std::numeric_limits<double>::quiet_NaN());
   if (!this->Gather(false))
@@ -379,13 +349,13 @@ void vtkSingleScatteringReference::OpticalDepth(
     return;
   }
   const vtkMediumScene::Box& box = this->Scene->Facts.Geometry;
-  const glm::dvec3 way = (FromArray(b) - FromArray(a)) / box.Length;
+  const glm::dvec3 way = (glm::make_vec3(b) - glm::make_vec3(a)) / box.Length;
   const double length = glm::length(way);
   glm::dvec3 depth(0);
   if (length > 0)
   {
     const vtkMediumOpticalDepth evaluator(this->Scene->Content, box, this->Tolerance);
-    depth = evaluator.Evaluate(box.WorldToLocal(FromArray(a)), way / length, 0, length);
+    depth = evaluator.Evaluate(box.WorldToLocal(glm::make_vec3(a)), way / length, 0, length);
   }
   std::copy(&depth[0], &depth[0] + 3, rgb);
 }

@@ -32,7 +32,9 @@ struct ReferenceScene : Scene
 
   explicit ReferenceScene(
     vtkMediumFixtures::Fields field, bool onCells = false, double coneAngle = 60)
-    : Scene(vtkMediumFixtures::MakeImage(field, glm::ivec3(ReferencePoints), ReferenceSize, onCells), 48)
+    : Scene(
+        vtkMediumFixtures::MakeImage(field, glm::ivec3(ReferencePoints), ReferenceSize, onCells),
+        48)
   {
     this->Mapper->SetTransmittanceThreshold(0);
     this->Medium->SetExtinctionArrayName("");

@@ -67,7 +67,8 @@ TEST(ErrorControlled, LeapsWithoutLeavingAnythingOut)
     largest = std::max(largest, std::abs(double(plain.Values[i]) - leapt.Values[i]));
     peak = std::max(peak, double(plain.Values[i]));
   }
-  EXPECT_LT(largest, 2e-3 * peak); // both err by their own steps; a brick that is missed, by far more
+  EXPECT_LT(
+    largest, 2e-3 * peak); // both err by their own steps; a brick that is missed, by far more
 }
 
 TEST(ErrorControlled, CameraAndColourRebuildNothing)

@@ -238,12 +238,12 @@ TEST(Plan, RefusesNumbersWithoutMeaningAndNamesThem)
     double Value;
     const char* Named;
   };
-  for (const Row& row : { Row{ &Settings::SampleDistance, -0.5, "-0.5" },
-         Row{ &Settings::SampleDistance, nan, "nan" },
-         Row{ &Settings::LightSampleDistance, -2, "-2" }, Row{ &Settings::Jitter, 1, "1" },
-         Row{ &Settings::Jitter, nan, "nan" }, Row{ &Settings::TransmittanceThreshold, 1.5, "1.5" },
-         Row{ &Settings::MaximumError, 0, "0" }, Row{ &Settings::DepthTransmittance, 1, "1" },
-         Row{ &Settings::PaperThreshold, 7, "7" }, Row{ &Settings::PaperThreshold, nan, "nan" } })
+  for (const Row& row :
+    { Row{ &Settings::SampleDistance, -0.5, "-0.5" }, Row{ &Settings::SampleDistance, nan, "nan" },
+      Row{ &Settings::LightSampleDistance, -2, "-2" }, Row{ &Settings::Jitter, 1, "1" },
+      Row{ &Settings::Jitter, nan, "nan" }, Row{ &Settings::TransmittanceThreshold, 1.5, "1.5" },
+      Row{ &Settings::MaximumError, 0, "0" }, Row{ &Settings::DepthTransmittance, 1, "1" },
+      Row{ &Settings::PaperThreshold, 7, "7" }, Row{ &Settings::PaperThreshold, nan, "nan" } })
   {
     Settings settings = With(Mapper::Paper);
     settings.*row.Member = row.Value;

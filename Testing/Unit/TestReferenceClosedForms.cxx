@@ -43,8 +43,8 @@ TEST(ReferenceClosedForms, BoxWithDirectionalLight)
     {
       Setting setting(MakeGrid({ 9, 8, 7 }, glm::dvec3(1), One), sigma);
       setting.AddDirectionalLight(glm::normalize(at.Light));
-      const double truth = sigma * Isotropic * std::exp(-sigma * at.Start) *
-        MeanTransmittance(sigma * (1 + at.Kappa));
+      const double truth =
+        sigma * Isotropic * std::exp(-sigma * at.Start) * MeanTransmittance(sigma * (1 + at.Kappa));
       const glm::dvec4 rgba = setting.Radiance({ -2, 0.5, 0.5 }, { 3, 0, 0 });
       EXPECT_NEAR(rgba.x / truth, 1, Tolerance) << "sigma " << sigma << ", kappa " << at.Kappa;
       EXPECT_NEAR(rgba.w / -std::expm1(-sigma), 1, 1e-12);
@@ -74,10 +74,9 @@ TEST(ReferenceClosedForms, BallIsTheLimitOfFinerVoxels)
   const double radius = 0.4, sigma = 2;
   for (int points : { 17, 33, 65, 129 })
   {
-    Setting setting(MakeGrid(glm::ivec3(points), glm::dvec3(1),
-                      [&](const glm::dvec3& box) {
-                        return glm::length(box - 0.5) < radius ? 1.0 : 0.0;
-                      }),
+    Setting setting(
+      MakeGrid(glm::ivec3(points), glm::dvec3(1),
+        [&](const glm::dvec3& box) { return glm::length(box - 0.5) < radius ? 1.0 : 0.0; }),
       sigma);
     setting.Property->SetInterpolationTypeToNearest();
     const auto light = setting.AddDirectionalLight({ 1, 0, 0 });
@@ -109,9 +108,8 @@ TEST(ReferenceClosedForms, PointSourceInHomogeneousMedium)
       const double foot = 0.5;
       const double begin = std::atan(-foot / distance);
       const double end = std::atan((0.95 - foot) / distance);
-      const double integral = Simpson(begin, end, 20000, [&](double angle) {
-        return std::exp(-sigma * distance * std::tan(Pi / 4 + angle / 2));
-      });
+      const double integral = Simpson(begin, end, 20000,
+        [&](double angle) { return std::exp(-sigma * distance * std::tan(Pi / 4 + angle / 2)); });
       const double truth = sigma * Isotropic * std::exp(-sigma * foot) / distance * integral;
       EXPECT_NEAR(setting.Radiance(origin, { 1, 0, 0 }).x / truth, 1, Tolerance)
         << "distance " << distance << ", sigma " << sigma;
@@ -134,8 +132,8 @@ TEST(ReferenceClosedForms, ExponentialAtmosphere)
   {
     const glm::dvec3 begin(0.1, 0.1, 0.1);
     const double length = glm::length(end - begin);
-    const double truth = sigma * std::exp(-begin.z / height) * length *
-      MeanTransmittance((end.z - begin.z) / height);
+    const double truth =
+      sigma * std::exp(-begin.z / height) * length * MeanTransmittance((end.z - begin.z) / height);
     EXPECT_NEAR(setting.OpticalDepth(begin, end) / truth, 1, sampling + 1e-13);
     EXPECT_NEAR(setting.OpticalDepth(end, begin) / truth, 1, sampling + 1e-13);
   }
@@ -210,7 +208,8 @@ TEST(ReferenceClosedForms, SlabReflectionAndTransmission)
       const double sin0 = std::sqrt(1 - mu0 * mu0), sine = std::sqrt(1 - mu * mu);
       const auto light = setting.AddDirectionalLight({ sin0, 0, -mu0 });
       const glm::dvec3 origin(50 - 2 * sine / mu, 50, 1 + 2);
-      const double reflected = Isotropic * mu0 / (mu0 + mu) * -std::expm1(-tau * (1 / mu + 1 / mu0));
+      const double reflected =
+        Isotropic * mu0 / (mu0 + mu) * -std::expm1(-tau * (1 / mu + 1 / mu0));
       EXPECT_NEAR(setting.Radiance(origin, { sine, 0, -mu }).x / reflected, 1, Tolerance);
 
       light->SetPosition(-sin0, 0, -mu0); // from below

@@ -33,8 +33,8 @@ public:
     const bool onCells = image->GetPointData()->GetScalars() == nullptr;
     vtkDataArray* scalars =
       onCells ? image->GetCellData()->GetScalars() : image->GetPointData()->GetScalars();
-    EXPECT_EQ(this->Scene.GatherVolume(image, scalars, onCells, setting.Volume,
-                setting.Reference->GetMedium(), 0),
+    EXPECT_EQ(this->Scene.GatherVolume(
+                image, scalars, onCells, setting.Volume, setting.Reference->GetMedium(), 0),
       "");
     EXPECT_EQ(this->Scene.GatherLights(setting.Renderer), "");
   }
@@ -101,9 +101,9 @@ private:
     const double h = (end - begin) / steps;
     for (int i = 0; i < steps; ++i)
     {
-      depth += this->Scene
-                 .Evaluate(this->Scene.Geometry.LocalToBox(x + (begin + (i + 0.5) * h) * way))
-                 .Extinction;
+      depth +=
+        this->Scene.Evaluate(this->Scene.Geometry.LocalToBox(x + (begin + (i + 0.5) * h) * way))
+          .Extinction;
     }
     return irradiance * glm::exp(-depth * h * this->Scene.Geometry.Length);
   }
@@ -314,8 +314,8 @@ TEST(ReferenceConvergence, NearestVoxelsAreExactAtAnyTolerance)
       setting.Reference->SetTolerance(1e-2);
       const double loose = setting.Radiance(origin, direction).x;
       setting.Reference->SetTolerance(1e-12);
-      EXPECT_NEAR(loose, setting.Radiance(origin, direction).x,
-        (positional ? 1e-6 : 1e-8) * loose) << "ray " << i;
+      EXPECT_NEAR(loose, setting.Radiance(origin, direction).x, (positional ? 1e-6 : 1e-8) * loose)
+        << "ray " << i;
     }
   }
 }

@@ -137,7 +137,8 @@ TEST(ReferenceImage, PixelsAreTheCamerasRays)
       const glm::dvec4 truth = setting.Radiance(ends[0], ends[1] - ends[0]);
       for (int c = 0; c < 4; ++c)
       {
-        EXPECT_NEAR(image->GetScalarComponentAsDouble(i / stride, j / stride, 0, c), truth[c], 1e-9);
+        EXPECT_NEAR(
+          image->GetScalarComponentAsDouble(i / stride, j / stride, 0, c), truth[c], 1e-9);
       }
       brightest = std::max(brightest, truth.x);
     }

@@ -30,7 +30,7 @@ double SkewedRadiance(const glm::dvec3& size, vtkMatrix4x4* matrix)
 // However spacing and matrix share the geometry between them, the world is the same.
 TEST(ReferenceInvariance, SpacingAndMatrixAreOneGeometry)
 {
-  vtkNew<vtkMatrix4x4> identity, scale, mirror;
+  vtkNew<vtkMatrix4x4> identity, scale;
   const double truth = SkewedRadiance(glm::dvec3(1), identity);
   for (int axis = 0; axis < 3; ++axis)
   {

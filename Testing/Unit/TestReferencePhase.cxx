@@ -100,10 +100,12 @@ TEST(ReferencePhase, EveryFunctionIntegratesToOneOverTheSphere)
       Scatterer at(phase, g);
       at.At.Medium->SetDraineAlpha(2.5);
       // cosine = u (3 - u^2) / 2 packs the samples towards both peaks.
-      const double sum = 2 * Pi * Simpson(-1, 1, phase == Medium::Droplets ? 20000 : 400, [&](double u) {
-        return at.Phase(std::max(-1.0, std::min(1.0, u * (3 - u * u) / 2))) * 1.5 * (1 - u * u);
-      });
-      EXPECT_NEAR(sum, 1, phase == Medium::Droplets ? 1e-3 : 1e-5) << "phase " << phase << ", g " << g;
+      const double sum =
+        2 * Pi * Simpson(-1, 1, phase == Medium::Droplets ? 20000 : 400, [&](double u) {
+          return at.Phase(std::max(-1.0, std::min(1.0, u * (3 - u * u) / 2))) * 1.5 * (1 - u * u);
+        });
+      EXPECT_NEAR(sum, 1, phase == Medium::Droplets ? 1e-3 : 1e-5)
+        << "phase " << phase << ", g " << g;
     }
   }
 }

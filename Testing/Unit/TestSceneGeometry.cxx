@@ -152,7 +152,8 @@ TEST(SceneGeometry, TinyAndHugeVoxelsHaveTheSameLocalBox)
     Placed placed;
     placed.Image->SetSpacing(0.5 * scale, 2 * scale, 0.125 * scale);
     ASSERT_EQ(placed.Gather(), "");
-    EXPECT_NEAR(placed.Scene.Geometry.Length / reference.Scene.Geometry.Length / scale, 1, Rounding);
+    EXPECT_NEAR(
+      placed.Scene.Geometry.Length / reference.Scene.Geometry.Length / scale, 1, Rounding);
     for (int axis = 0; axis < 3; ++axis)
     {
       ExpectNear(placed.Scene.Geometry.BoxToLocalAxes[axis],

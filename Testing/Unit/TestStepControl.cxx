@@ -81,8 +81,8 @@ TEST(StepControl, EndsOnImagesThatDoNotConverge)
 TEST(StepControl, TakesLongStepsThroughAnImageWithoutLight)
 {
   vtkMediumStepControl control;
-  control.Calibrate(MakeScene(), 1.0 / 255, Voxel,
-    Marched([](double) { return std::vector<float>(8, 0.0f); }));
+  control.Calibrate(
+    MakeScene(), 1.0 / 255, Voxel, Marched([](double) { return std::vector<float>(8, 0.0f); }));
   EXPECT_GT(control.GetStep(), 4 * Voxel);
   EXPECT_EQ(control.GetEstimatedError(), 0);
 }
@@ -103,13 +103,16 @@ TEST(StepControl, IsRepeatedOnlyForMaterialChanges)
   moved.Eye.Origin = { 3, 0, 0 };
   EXPECT_FALSE(control.IsCalibrated(moved, maximum, vtkMediumStepControl::Never)) << "another side";
 
-  EXPECT_FALSE(control.IsCalibrated(scene, maximum / 2, vtkMediumStepControl::Never)) << "another error";
+  EXPECT_FALSE(control.IsCalibrated(scene, maximum / 2, vtkMediumStepControl::Never))
+    << "another error";
   vtkMediumScene relit = scene;
   relit.Lights[0].Direction = { 1, 0, 0 };
-  EXPECT_FALSE(control.IsCalibrated(relit, maximum, vtkMediumStepControl::Never)) << "another light";
+  EXPECT_FALSE(control.IsCalibrated(relit, maximum, vtkMediumStepControl::Never))
+    << "another light";
   vtkMediumScene denser = scene;
   denser.Content.DensityScale = 3;
-  EXPECT_FALSE(control.IsCalibrated(denser, maximum, vtkMediumStepControl::Never)) << "another density";
+  EXPECT_FALSE(control.IsCalibrated(denser, maximum, vtkMediumStepControl::Never))
+    << "another density";
 }
 
 //------------------------------------------------------------------------------

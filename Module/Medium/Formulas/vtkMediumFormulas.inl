@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
 // Included twice by vtkMediumFormulas.h, once for each number type.
 #include "vtkMediumJitter.glsl"
 #include "vtkMediumLight.glsl"
