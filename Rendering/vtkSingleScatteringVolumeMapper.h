@@ -111,7 +111,9 @@ public:
   };
 
   ///@{
-  /// The medium that fills the volume. Default: none, the volume's property is the medium.
+  /// The medium that fills the volume. Default: none, the volume's property is the medium. Values are
+  /// interpolated as that property says in either case, and VTK's default is the nearest value; call
+  /// SetInterpolationTypeToLinear on it for smooth data.
   void SetMedium(vtkParticipatingMedium* medium);
   vtkParticipatingMedium* GetMedium();
   ///@}

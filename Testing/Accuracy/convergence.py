@@ -69,7 +69,7 @@ def measure(options) -> str:
 
 FixedStep on a linear field and on the three test fields, 32³ points, g = 0.6, one directional light;
 Paper on a homogeneous medium above a level of the smooth field, without jitter. Exact and
-ErrorControlled (the default integrator, asked for 1/255 = 3.9e-3 of the peak) are beside them. Columns
+ErrorControlled (asked for 1/255 = 3.9e-3 of the peak) are beside them. Columns
 are steps of both rays, in voxels; errors are the largest over {options.pixels} × {options.pixels} pixels, as a fraction of the peak,
 against the reference at a tolerance of {TOLERANCE:g} (Paper: 1e-5). Slopes are of log error against log
 step, from 1 voxel down.
