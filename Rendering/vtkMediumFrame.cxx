@@ -12,8 +12,6 @@
 
 namespace
 {
-constexpr int DepthBytes = 4; // per pixel
-
 //------------------------------------------------------------------------------
 void SetUniform(vtkShaderProgram* program, const char* name, const glm::dvec3& value)
 {
@@ -72,37 +70,9 @@ std::string vtkMediumFrame::Begin(
       }
     }
   }
-  this->UpdateDepth(copyDepth);
+  copyDepth ? this->Depth.Capture(window, viewport.Origin, viewport.Size)
+            : this->Depth.SetToFar(window, viewport.Size);
   return {};
-}
-
-//------------------------------------------------------------------------------
-void vtkMediumFrame::UpdateDepth(bool copy)
-{
-  const glm::ivec2& size = this->View.Size;
-  vtkTextureObject* depth = this->Depth;
-  const bool fits = depth->GetHandle() && static_cast<int>(depth->GetWidth()) == size.x &&
-    static_cast<int>(depth->GetHeight()) == size.y;
-  if (!fits)
-  {
-    depth->ReleaseGraphicsResources(this->Window);
-    depth->SetContext(this->Window);
-    depth->SetMinificationFilter(vtkTextureObject::Nearest);
-    depth->SetMagnificationFilter(vtkTextureObject::Nearest);
-    if (copy)
-    {
-      depth->AllocateDepth(size.x, size.y, DepthBytes);
-    }
-    else
-    {
-      std::vector<float> far(static_cast<std::size_t>(size.x) * size.y, 1.0f);
-      depth->CreateDepthFromRaw(size.x, size.y, vtkTextureObject::Float32, VTK_FLOAT, far.data());
-    }
-  }
-  if (copy)
-  {
-    depth->CopyFromFrameBuffer(this->View.Origin.x, this->View.Origin.y, 0, 0, size.x, size.y);
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -226,8 +196,8 @@ bool vtkMediumFrame::Integrate(vtkMediumProgram& programs, vtkMediumTextures& te
     state->vtkglScissor(seen.x, seen.y, seen.z, seen.w);
     textures.Activate(program, plan);
     accelerator.Activate(program, plan);
-    this->Depth->Activate();
-    program->SetUniformi("opaqueDepth", this->Depth->GetTextureUnit());
+    this->Depth.GetTexture()->Activate();
+    program->SetUniformi("opaqueDepth", this->Depth.GetTexture()->GetTextureUnit());
     this->SetFrameUniforms(program, scene, plan);
     this->SetContentUniforms(program, scene, plan);
     for (const vtkMediumPlan::Pass& pass : plan.Passes)
@@ -235,7 +205,7 @@ bool vtkMediumFrame::Integrate(vtkMediumProgram& programs, vtkMediumTextures& te
       plan.IterationBudget > 0 ? this->DrawUntilOver(programs, program, pass)
                                : this->DrawPass(programs, program, pass);
     }
-    this->Depth->Deactivate();
+    this->Depth.GetTexture()->Deactivate();
     accelerator.Deactivate();
     textures.Deactivate();
   }
@@ -346,7 +316,7 @@ vtkTypeInt64 vtkMediumFrame::GetBytes() const
 {
   const vtkTypeInt64 pixels = static_cast<vtkTypeInt64>(this->View.Size.x) * this->View.Size.y;
   const vtkTypeInt64 targets = this->UsedSets * this->UsedTargets;
-  return pixels * (targets * 4 * static_cast<vtkTypeInt64>(sizeof(float)) + DepthBytes);
+  return pixels * targets * 4 * static_cast<vtkTypeInt64>(sizeof(float)) + this->Depth.GetBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -359,7 +329,7 @@ void vtkMediumFrame::ReleaseGraphicsResources(vtkWindow* window)
       texture->ReleaseGraphicsResources(window);
     }
   }
-  this->Depth->ReleaseGraphicsResources(window);
+  this->Depth.ReleaseGraphicsResources(window);
   this->Framebuffer->ReleaseGraphicsResources(window);
   this->Result = 0;
 }

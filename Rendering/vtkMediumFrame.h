@@ -12,6 +12,7 @@
 
 #include "vtkMediumAccelerator.h"
 #include "vtkMediumCompatibility.h"
+#include "vtkMediumOpaqueDepth.h"
 #include "vtkMediumPlan.h"
 #include "vtkMediumProgram.h"
 #include "vtkMediumTextures.h"
@@ -96,13 +97,12 @@ private:
     vtkMediumProgram& programs, vtkShaderProgram* program, const vtkMediumPlan::Pass& pass);
   void DrawPass(
     vtkMediumProgram& programs, vtkShaderProgram* program, const vtkMediumPlan::Pass& pass);
-  void UpdateDepth(bool copy);
   void BindTargets(int set);
   void ClearTargets(int set);
 
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   vtkNew<vtkTextureObject> Textures[2][Targets];
-  vtkNew<vtkTextureObject> Depth;
+  vtkMediumOpaqueDepth Depth;
   vtkOpenGLRenderWindow* Window = nullptr;
   Viewport View;
   int UsedTargets = 2;
