@@ -105,8 +105,8 @@ void vtkMediumOpaqueDepth::Capture(
   this->Framebuffer->SetContext(window);
   this->Framebuffer->Bind(GL_DRAW_FRAMEBUFFER);
   this->Framebuffer->AddDepthAttachment(this->Texture);
-  state->vtkglBlitFramebuffer(origin.x, origin.y, origin.x + size.x, origin.y + size.y, 0, 0, size.x,
-    size.y, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  state->vtkglBlitFramebuffer(origin.x, origin.y, origin.x + size.x, origin.y + size.y, 0, 0,
+    size.x, size.y, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
   state->PopFramebufferBindings();
 }
 
@@ -114,9 +114,7 @@ void vtkMediumOpaqueDepth::Capture(
 vtkTypeInt64 vtkMediumOpaqueDepth::GetBytes() const
 {
   const vtkTypeInt64 bytes = 4; // a pixel, in each format but the rare one of 16 bits
-  return this->Format == None
-    ? 0
-    : bytes * this->Texture->GetWidth() * this->Texture->GetHeight();
+  return this->Format == None ? 0 : bytes * this->Texture->GetWidth() * this->Texture->GetHeight();
 }
 
 //------------------------------------------------------------------------------

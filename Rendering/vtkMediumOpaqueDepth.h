@@ -27,8 +27,7 @@ class vtkMediumOpaqueDepth
 {
 public:
   /// Takes the depth of a part of the framebuffer that is bound for drawing.
-  void Capture(
-    vtkOpenGLRenderWindow* window, const glm::ivec2& origin, const glm::ivec2& size);
+  void Capture(vtkOpenGLRenderWindow* window, const glm::ivec2& origin, const glm::ivec2& size);
   /// Takes it that nothing opaque is drawn.
   void SetToFar(vtkOpenGLRenderWindow* window, const glm::ivec2& size);
 
