@@ -260,7 +260,7 @@ void vtkMediumFrame::DrawPass(
 }
 
 //------------------------------------------------------------------------------
-bool vtkMediumFrame::Show(vtkMediumProgram& programs, const Shown& shown)
+bool vtkMediumFrame::Show(vtkMediumProgram& programs, const Shown& shown, vtkMediumFrame& coarser)
 {
   vtkOpenGLState* state = this->Window->GetState();
   vtkShaderProgram* program = programs.Use(this->Window, { "Display" }, "");
@@ -281,14 +281,23 @@ bool vtkMediumFrame::Show(vtkMediumProgram& programs, const Shown& shown)
 
   vtkTextureObject* radiance = this->Textures[this->Result][0];
   vtkTextureObject* hits = this->Textures[this->Result][1];
+  vtkTextureObject* other = shown.Content == Shown::Error
+    ? coarser.Textures[coarser.Result][0].Get()
+    : radiance;
   radiance->Activate();
   hits->Activate();
+  other->Activate();
+  program->SetUniformi("coarserRadiance", other->GetTextureUnit());
   program->SetUniformi("radiance", radiance->GetTextureUnit());
   program->SetUniformi("hits", hits->GetTextureUnit());
   program->SetUniformi("shown", shown.Content);
   SetUniform(program, "nearest", shown.Nearest);
   SetUniform(program, "scale", shown.Scale);
   programs.Draw();
+  if (other != radiance)
+  {
+    other->Deactivate();
+  }
   hits->Deactivate();
   radiance->Deactivate();
   return true;

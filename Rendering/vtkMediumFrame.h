@@ -57,6 +57,7 @@ public:
       FirstHit,
       Distance,
       Count,
+      Error,
     };
     Contents Content = Radiance;
     double Nearest = 0; ///< the value that is shown as 0
@@ -72,8 +73,9 @@ public:
   bool Integrate(vtkMediumProgram& programs, vtkMediumTextures& textures,
     vtkMediumAccelerator& accelerator, const vtkMediumScene& scene, const vtkMediumPlan& plan);
 
-  /// Blends the result over the viewport. False if the program does not compile.
-  bool Show(vtkMediumProgram& programs, const Shown& shown);
+  /// Blends the result over the viewport; an Error is its difference from `coarser`. False if the
+  /// program does not compile.
+  bool Show(vtkMediumProgram& programs, const Shown& shown, vtkMediumFrame& coarser);
 
   /// The integrated targets, four floats a pixel, first row at the bottom; empty before any frame.
   std::vector<float> DownloadRadiance() { return this->Download(0); }

@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace
@@ -69,6 +70,10 @@ vtkMediumFrame::Shown vtkMediumImages::FindShown(const vtkMediumScene& scene, in
       shown.Scale = 1 / (range[1] - range[0]);
       break;
     }
+    case vtkSingleScatteringVolumeMapper::ErrorEstimate:
+      shown.Content = Shown::Error;
+      shown.Scale = 64;
+      break;
     default:
       break;
   }
@@ -113,6 +118,19 @@ std::vector<float> vtkMediumImages::Values(const std::vector<float>& radiance,
       pixels[i + c] = source ? source[c] : value;
     }
     pixels[i + 3] = has ? 1.0f : 0.0f;
+  }
+  return pixels;
+}
+
+//------------------------------------------------------------------------------
+std::vector<float> vtkMediumImages::Errors(const std::vector<float>& radiance,
+  const std::vector<float>& coarser, const std::vector<float>& hits)
+{
+  std::vector<float> pixels(radiance.size(), 0.0f);
+  for (std::size_t i = 0; i < pixels.size(); ++i)
+  {
+    const bool alpha = i % 4 == 3;
+    pixels[i] = alpha ? (hits[i] > 0 ? 1.0f : 0.0f) : std::abs(radiance[i] - coarser[i]) / 3;
   }
   return pixels;
 }

@@ -29,6 +29,11 @@ public:
   static std::vector<float> Values(const std::vector<float>& radiance,
     const std::vector<float>& hits, const vtkMediumScene& scene, int output);
 
+  /// The error of a frame of second order, from one of twice its steps, as RGBA with alpha 1 where a ray
+  /// met the volume.
+  static std::vector<float> Errors(const std::vector<float>& radiance,
+    const std::vector<float>& coarser, const std::vector<float>& hits);
+
   /// Window depths, 0 to 1, of the first hits; 1 where there is none.
   static std::vector<float> WindowDepths(
     const std::vector<float>& hits, const vtkMediumScene::View& eye, const glm::ivec2& size);

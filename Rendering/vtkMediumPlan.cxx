@@ -49,7 +49,7 @@ vtkMediumPlan::vtkMediumPlan(
   this->Jitter = settings.Jitter;
   this->DepthTransmittance = settings.DepthTransmittance;
   const bool gathers = settings.Output == Mapper::Radiance ||
-    settings.Output == Mapper::SampleCount ||
+    settings.Output == Mapper::SampleCount || settings.Output == Mapper::ErrorEstimate ||
     (settings.Output == Mapper::Depth && settings.DepthDefinition == Mapper::MeanScatteringDepth);
   // Distances and optical depths go through the whole volume, however thick it is.
   this->TransmittanceThreshold = gathers ? settings.TransmittanceThreshold : 0;
@@ -110,6 +110,11 @@ void vtkMediumPlan::Validate(const Settings& settings, const Capabilities& devic
   {
     this->Refusal = Unfit("The depth transmittance", settings.DepthTransmittance,
       "set a fraction in (0, 1) (SetDepthTransmittance).");
+  }
+  else if (settings.Output == Mapper::ErrorEstimate && settings.Integrator == Mapper::Exact)
+  {
+    this->Refusal = "The Exact integrator has no step to estimate an error from; choose another output "
+                    "(SetOutputToRadiance), or the FixedStep or ErrorControlled integrator.";
   }
   for (const vtkMediumField& field : this->Fields)
   {
@@ -327,6 +332,15 @@ void vtkMediumPlan::ChooseShaderFiles(int integrator)
       }
       add({ "InScatter", "Output", "FixedStep" });
   }
+}
+
+//------------------------------------------------------------------------------
+vtkMediumPlan vtkMediumPlan::Coarser() const
+{
+  vtkMediumPlan plan = *this; // its passes reach beyond the fewer steps
+  plan.EyeStep *= 2;
+  plan.LightStep *= 2;
+  return plan;
 }
 
 //------------------------------------------------------------------------------

@@ -112,6 +112,9 @@ public:
   std::vector<std::string> ShaderFiles; ///< in order, without prefix and suffix
   std::string ShaderDefines;            ///< the structural choices, as preprocessor lines
 
+  /// The same plan in steps of twice the length.
+  vtkMediumPlan Coarser() const;
+
   /// Whether marches are carried from draw to draw.
   bool NeedsState() const { return this->Passes.size() > 1 || this->IterationBudget > 0; }
 

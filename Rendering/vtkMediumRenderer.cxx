@@ -258,9 +258,14 @@ std::string vtkMediumRenderer::DrawFrame(const Request& request, const vtkMedium
   {
     refusal = this->Integrate(this->Frame, plan);
   }
+  if (refusal.empty() && request.Settings.Output == vtkSingleScatteringVolumeMapper::ErrorEstimate)
+  {
+    refusal = this->Probe.Begin(this->Window, viewport, plan.NeedsState(), true);
+    refusal = refusal.empty() ? this->Integrate(this->Probe, plan.Coarser()) : refusal;
+  }
   this->Output = request.Settings.Output;
   if (refusal.empty() && request.Show &&
-    !this->Frame.Show(this->Programs, vtkMediumImages::FindShown(this->Scene, this->Output)))
+    !this->Frame.Show(this->Programs, vtkMediumImages::FindShown(this->Scene, this->Output), this->Probe))
   {
     refusal =
       "The shader that shows a frame did not compile on this device; the compiler's words are "

@@ -60,6 +60,8 @@ public:
 
   /// The last frame: what it holds, and the scene that it was drawn from.
   vtkMediumFrame& GetFrame() { return this->Frame; }
+  /// The same frame in steps of twice the length, where the output is an error estimate.
+  vtkMediumFrame& GetCoarserFrame() { return this->Probe; }
   const vtkMediumScene& GetScene() const { return this->Scene; }
   int GetOutput() const { return this->Output; }
   double GetEstimatedError() const { return this->StepControl.GetEstimatedError(); }

@@ -146,8 +146,11 @@ void vtkSingleScatteringVolumeMapper::GetColorImage(vtkImageData* image)
     vtkErrorMacro(<< "There is no image yet; render a frame first.");
     return;
   }
-  const std::vector<float> pixels = vtkMediumImages::Values(
-    radiance, frame.DownloadHits(), this->Drawing->GetScene(), this->Drawing->GetOutput());
+  const std::vector<float> hits = frame.DownloadHits();
+  const int output = this->Drawing->GetOutput();
+  const std::vector<float> pixels = output == ErrorEstimate
+    ? vtkMediumImages::Errors(radiance, this->Drawing->GetCoarserFrame().DownloadRadiance(), hits)
+    : vtkMediumImages::Values(radiance, hits, this->Drawing->GetScene(), output);
   vtkMediumImages::Copy(pixels, 4, frame.GetViewport().Size, image);
 }
 

@@ -85,6 +85,7 @@ public:
     OpticalDepth,  ///< optical depth along the eye ray, R, G and B
     Depth,         ///< distance along the eye ray, world units, as DepthDefinition has it
     SampleCount,   ///< look-ups in the medium's textures, on the eye ray and its light rays
+    ErrorEstimate, ///< how wrong Radiance would be, as a radiance
   };
 
   /// What "depth" means where a medium has no surface.
@@ -221,11 +222,13 @@ public:
   ///@{
   /// What the image holds. Default: Radiance. On screen, distances are shown as grey: FirstHit and
   /// Depth as 1 at the nearest corner of the volume down to 0 at the farthest, Distance as a fraction
-  /// of the volume's diagonal, OpticalDepth as 1 - transmittance, SampleCount as a fraction of 1000;
+  /// of the volume's diagonal, OpticalDepth as 1 - transmittance, SampleCount as a fraction of 1000, ErrorEstimate 64 times as bright;
   /// as float images (GetColorImage) they are in their own units.
-  /// The Paper integrator knows Radiance, FirstHit and Distance; any other: an error at the next
-  /// Render.
-  vtkSetClampMacro(Output, int, Radiance, SampleCount);
+  /// ErrorEstimate compares the frame with one of twice its steps and takes a third of the change, the
+  /// error of a method of second order (Richardson); the error of light caches is not in it.
+  /// The Paper integrator knows Radiance, FirstHit and Distance, and Exact has no step to estimate from:
+  /// what an integrator does not know is an error at the next Render.
+  vtkSetClampMacro(Output, int, Radiance, ErrorEstimate);
   vtkGetMacro(Output, int);
   void SetOutputToRadiance() { this->SetOutput(Radiance); }
   void SetOutputToFirstHit() { this->SetOutput(FirstHit); }
@@ -234,6 +237,7 @@ public:
   void SetOutputToOpticalDepth() { this->SetOutput(OpticalDepth); }
   void SetOutputToDepth() { this->SetOutput(Depth); }
   void SetOutputToSampleCount() { this->SetOutput(SampleCount); }
+  void SetOutputToErrorEstimate() { this->SetOutput(ErrorEstimate); }
   ///@}
 
   ///@{

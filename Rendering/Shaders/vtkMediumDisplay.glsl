@@ -5,6 +5,7 @@
 
 in vec2 texCoord; // 0...1 over the viewport
 uniform sampler2D radiance;
+uniform sampler2D coarserRadiance; // the same frame in steps of twice the length
 uniform sampler2D hits;
 uniform int shown; // vtkMediumFrame::Shown::Content
 uniform float nearest; // the value shown as 0...
@@ -15,6 +16,7 @@ uniform float scale;   // ...and 1 / (the value shown as 1, less that)
 #define SHOW_OPTICAL_DEPTH 2
 #define SHOW_FIRST_HIT 3
 #define SHOW_DISTANCE 4
+#define SHOW_ERROR 6
 
 void main()
 {
@@ -32,6 +34,8 @@ void main()
     discard;
   }
   vec3 grey = vec3((hit.z - nearest) * scale);
+  vec3 change = abs(light.rgb - texelFetch(coarserRadiance, pixel, 0).rgb);
+  grey = shown == SHOW_ERROR ? change / 3.0 * scale : grey;
   grey = shown == SHOW_TRANSMITTANCE ? light.rgb : grey;
   grey = shown == SHOW_OPTICAL_DEPTH ? 1.0 - exp(-light.rgb) : grey;
   grey = shown == SHOW_FIRST_HIT ? vec3(1.0 - (hit.x - nearest) * scale) : grey;

@@ -104,3 +104,36 @@ TEST(AgainstReference, BinaryFieldConvergesToTheReference)
     EXPECT_LT(mean.back(), 5e-4);
   }
 }
+
+// The estimate of a frame is the error that it has: never far below it where it matters, not far above.
+TEST(AgainstReference, ErrorEstimateIsTheErrorOfTheFrame)
+{
+  ReferenceScene scene(vtkMediumFixtures::Cloud);
+  scene.FindTruth();
+  for (double step : { Voxel, 0.5 * Voxel })
+  {
+    scene.SetSteps(step, step);
+    scene.Mapper->SetOutputToRadiance();
+    const Picture radiance = scene.Render();
+    scene.Mapper->SetOutputToErrorEstimate();
+    const Picture estimate = scene.Render();
+    double largest = 0, estimated = 0, sum = 0, estimatedSum = 0;
+    for (int y = 0; y < scene.Truth.Size.y; ++y)
+    {
+      for (int x = 0; x < scene.Truth.Size.x; ++x)
+      {
+        const int i = ReferenceScene::Stride * x, j = ReferenceScene::Stride * y;
+        const double error = std::abs(radiance.At(i, j, 0) - scene.Truth.At(x, y, 0));
+        largest = std::max(largest, error);
+        estimated = std::max(estimated, double(estimate.At(i, j, 0)));
+        sum += error;
+        estimatedSum += estimate.At(i, j, 0);
+      }
+    }
+    // Single pixels converge by uneven steps on a cloud; the largest and the sum are within a factor 3.
+    EXPECT_GT(estimated, largest / 3) << step;
+    EXPECT_LT(estimated, largest * 3) << step;
+    EXPECT_GT(estimatedSum, sum / 3) << step;
+    EXPECT_LT(estimatedSum, sum * 3) << step;
+  }
+}

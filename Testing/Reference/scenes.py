@@ -8,6 +8,7 @@ the box is centred on the origin, and grid values sit on its corners and faces.
 
 import os
 import subprocess
+import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -71,9 +72,10 @@ def grid_of(scene: Scene) -> np.ndarray:
     if not program:
         raise RuntimeError("PARTICIPATING_MEDIA_EXPORT_FIXTURE is not set: found no program that "
                            "exports the fixtures; build the target ExportFixture and name it")
-    raw = subprocess.run([program, scene.grid, str(n), "/dev/stdout"], check=True,
-                         stdout=subprocess.PIPE).stdout
-    grid = np.frombuffer(raw, np.float32).reshape(n, n, n).copy()
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "grid.raw"
+        subprocess.run([program, scene.grid, str(n), str(file)], check=True)
+        grid = np.fromfile(file, np.float32).reshape(n, n, n)
     if scene.zero_on_faces:
         x = np.linspace(0, 1, n)
         fade = 4 * x * (1 - x)
