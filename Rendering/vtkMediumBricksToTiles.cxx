@@ -191,6 +191,16 @@ void AddFootprint(const Footprint& footprint, const vtkMediumBricks::Tiles& tile
     }
   }
 }
+
+//------------------------------------------------------------------------------
+void FindCorners(const glm::dvec3& lower, const glm::dvec3& upper, glm::dvec3 corners[8])
+{
+  for (int i = 0; i < 8; ++i)
+  {
+    corners[i] =
+      glm::dvec3(i & 1 ? upper.x : lower.x, i & 2 ? upper.y : lower.y, i & 4 ? upper.z : lower.z);
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -218,14 +228,11 @@ vtkMediumBricks::Tiles vtkMediumBricks::ProjectToTiles(
         {
           continue;
         }
-        const glm::dvec3 lower = this->GetLower(brick), upper = this->GetUpper(brick);
         glm::dvec3 corners[8];
-        for (int i = 0; i < 8; ++i)
+        FindCorners(this->GetLower(brick), this->GetUpper(brick), corners);
+        for (glm::dvec3& corner : corners)
         {
-          corners[i] = this->LatticeToLocalOrigin +
-            this->LatticeToLocalAxes *
-              glm::dvec3(
-                i & 1 ? upper.x : lower.x, i & 2 ? upper.y : lower.y, i & 4 ? upper.z : lower.z);
+          corner = this->LatticeToLocalOrigin + this->LatticeToLocalAxes * corner;
         }
         AddFootprint(projection.Project(corners), tiles, size, share);
       }

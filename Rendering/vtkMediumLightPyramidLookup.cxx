@@ -105,6 +105,38 @@ glm::ivec2 vtkMediumLightPyramid::PointsOfRow(
   return range;
 }
 
+namespace
+{
+//------------------------------------------------------------------------------
+// Interpolates six rows of rays, `stride` apart, to one at a fraction between the third and the fourth,
+// and says how rough it is there: half, for each of the two nodes around a point.
+void CombineRows(const float* rows, int stride, float fraction, std::vector<float>& line,
+  std::vector<float>& roughness)
+{
+  const int count = static_cast<int>(line.size());
+  std::vector<float> kinks(count, 0.0f), bends(count, 0.0f);
+  float weights[4];
+  LagrangeWeights(fraction, weights);
+  for (int r = 0; r < 6; ++r)
+  {
+    const float* depths = rows + static_cast<std::size_t>(r) * stride;
+    const float weight = r > 0 && r < 5 ? weights[r - 1] : 0;
+    const float kink = KinkDifference[r] * KinkWeight(fraction);
+    const float bend = BendDifference[r] * BendWeight(fraction);
+    for (int a = 0; a < count; ++a)
+    {
+      line[a] += weight * depths[a];
+      kinks[a] += kink * depths[a];
+      bends[a] += bend * depths[a];
+    }
+  }
+  for (int a = 0; a < count; ++a)
+  {
+    roughness[a] = 0.5f * (std::abs(kinks[a]) + std::abs(bends[a]));
+  }
+}
+}
+
 //------------------------------------------------------------------------------
 void vtkMediumLightPyramid::InterpolateRow(
   int v, int plane, const vtkMediumOccupiedRows& rows, std::vector<float>& tau) const
@@ -122,30 +154,12 @@ void vtkMediumLightPyramid::InterpolateRow(
   const double row = this->RayIndex(this->V, v, depth);
   const int row0 = static_cast<int>(std::floor(row));
   const float fractionV = static_cast<float>(row - row0);
-  float weights[4];
-  LagrangeWeights(fractionV, weights);
   const int begin = static_cast<int>(std::floor(this->RayIndex(this->U, first, depth))) - 2;
   const int end = static_cast<int>(std::floor(this->RayIndex(this->U, last, depth))) + 4;
-  std::vector<float> line(end - begin, 0.0f), kinks(end - begin, 0.0f), bends(end - begin, 0.0f);
-  for (int r = 0; r < 6; ++r)
-  {
-    const float* depths =
-      this->Depths.data() + static_cast<std::size_t>(row0 - 2 + r) * count + begin;
-    const float weight = r > 0 && r < 5 ? weights[r - 1] : 0;
-    const float kink = KinkDifference[r] * KinkWeight(fractionV);
-    const float bend = BendDifference[r] * BendWeight(fractionV);
-    for (int a = 0; a < end - begin; ++a)
-    {
-      line[a] += weight * depths[a];
-      kinks[a] += kink * depths[a];
-      bends[a] += bend * depths[a];
-    }
-  }
-  std::vector<float>& roughness = kinks; // half, for each of the two nodes around a point
-  for (int a = 0; a < end - begin; ++a)
-  {
-    roughness[a] = 0.5f * (std::abs(kinks[a]) + std::abs(bends[a]));
-  }
+  std::vector<float> line(end - begin, 0.0f), roughness(end - begin, 0.0f);
+  CombineRows(this->Depths.data() + static_cast<std::size_t>(row0 - 2) * count + begin, count,
+    fractionV, line, roughness);
+  float weights[4];
   float* target = tau.data() + w * this->StrideW + v * this->V.Stride;
   for (int u = first; u <= last; ++u)
   {

@@ -55,6 +55,25 @@ glm::dvec4 Row(const glm::dmat4& matrix, int row)
 }
 
 //------------------------------------------------------------------------------
+// Points the rays from the near plane to the far plane, clip z / w grows along them, and measures t in
+// local units along the central one.
+void OrientRays(vtkMediumScene::View& view)
+{
+  const double w = view.ClipW.w;
+  const glm::dvec3 forward = view.Parallel ? glm::dvec3(view.ClipZ) / w : glm::dvec3(view.ClipW);
+  const double sign = glm::dot(forward, view.Direction) < 0 ? -1 : 1;
+  const double scale = sign / glm::length(view.Direction);
+  view.Direction *= scale;
+  view.DirectionX *= scale;
+  view.DirectionY *= scale;
+  if (view.Parallel) // clip z = -w at the near plane
+  {
+    view.Start = -(glm::dot(view.ClipZ, glm::dvec4(view.Origin, 1)) + w) /
+      glm::dot(glm::dvec3(view.ClipZ), view.Direction);
+  }
+}
+
+//------------------------------------------------------------------------------
 std::string GatherBox(vtkMediumScene::Box& box, vtkImageData* input, vtkVolume* volume)
 {
   int extent[6];
@@ -182,23 +201,7 @@ std::string vtkMediumScene::GatherView(vtkMatrix4x4* worldToClip)
     view.Origin = glm::inverse(normals) * -glm::dvec3(rowX.w, rowY.w, rowW.w);
   }
 
-  // Point the rays from the near plane to the far plane: clip z / w grows along them.
-  const glm::dvec3 forward = view.Parallel ? glm::dvec3(view.ClipZ) / rowW.w : glm::dvec3(rowW);
-  if (glm::dot(forward, view.Direction) < 0)
-  {
-    view.Direction = -view.Direction;
-    view.DirectionX = -view.DirectionX;
-    view.DirectionY = -view.DirectionY;
-  }
-  const double length = glm::length(view.Direction);
-  view.Direction /= length;
-  view.DirectionX /= length;
-  view.DirectionY /= length;
-  if (view.Parallel) // clip z = -w at the near plane
-  {
-    view.Start = -(glm::dot(view.ClipZ, glm::dvec4(view.Origin, 1)) + rowW.w) /
-      glm::dot(glm::dvec3(view.ClipZ), view.Direction);
-  }
+  OrientRays(view);
   return {};
 }
 

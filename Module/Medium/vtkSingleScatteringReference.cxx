@@ -236,8 +236,9 @@ double vtkSingleScatteringReference::EstimatePeak(const int size[2])
   vtkSMPTools::For(0, columns * rows, [&](vtkIdType first, vtkIdType last) {
     for (vtkIdType sample = first; sample < last; ++sample)
     {
-      const int i = static_cast<int>((sample % columns + 0.5) * size[0] / columns);
-      const int j = static_cast<int>((sample / columns + 0.5) * size[1] / rows);
+      const vtkIdType column = sample % columns, row = sample / columns;
+      const int i = static_cast<int>((column + 0.5) * size[0] / columns);
+      const int j = static_cast<int>((row + 0.5) * size[1] / rows);
       const vtkMediumReferenceEyeRay ray =
         vtkMediumReferenceEyeRayOf(this->Scene->Facts.Eye, size, i, j);
       radiances[sample] = vtkMediumMagnitude(
