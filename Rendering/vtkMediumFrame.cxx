@@ -281,9 +281,8 @@ bool vtkMediumFrame::Show(vtkMediumProgram& programs, const Shown& shown, vtkMed
 
   vtkTextureObject* radiance = this->Textures[this->Result][0];
   vtkTextureObject* hits = this->Textures[this->Result][1];
-  vtkTextureObject* other = shown.Content == Shown::Error
-    ? coarser.Textures[coarser.Result][0].Get()
-    : radiance;
+  vtkTextureObject* other =
+    shown.Content == Shown::Error ? coarser.Textures[coarser.Result][0].Get() : radiance;
   radiance->Activate();
   hits->Activate();
   other->Activate();

@@ -113,8 +113,9 @@ void vtkMediumPlan::Validate(const Settings& settings, const Capabilities& devic
   }
   else if (settings.Output == Mapper::ErrorEstimate && settings.Integrator == Mapper::Exact)
   {
-    this->Refusal = "The Exact integrator has no step to estimate an error from; choose another output "
-                    "(SetOutputToRadiance), or the FixedStep or ErrorControlled integrator.";
+    this->Refusal =
+      "The Exact integrator has no step to estimate an error from; choose another output "
+      "(SetOutputToRadiance), or the FixedStep or ErrorControlled integrator.";
   }
   for (const vtkMediumField& field : this->Fields)
   {

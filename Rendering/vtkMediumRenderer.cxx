@@ -265,7 +265,8 @@ std::string vtkMediumRenderer::DrawFrame(const Request& request, const vtkMedium
   }
   this->Output = request.Settings.Output;
   if (refusal.empty() && request.Show &&
-    !this->Frame.Show(this->Programs, vtkMediumImages::FindShown(this->Scene, this->Output), this->Probe))
+    !this->Frame.Show(
+      this->Programs, vtkMediumImages::FindShown(this->Scene, this->Output), this->Probe))
   {
     refusal =
       "The shader that shows a frame did not compile on this device; the compiler's words are "

@@ -241,10 +241,9 @@ double vtkSingleScatteringReference::EstimatePeak(const int size[2])
       const int j = static_cast<int>((row + 0.5) * size[1] / rows);
       const vtkMediumReferenceEyeRay ray =
         vtkMediumReferenceEyeRayOf(this->Scene->Facts.Eye, size, i, j);
+      const double end = std::numeric_limits<double>::infinity();
       radiances[sample] = vtkMediumMagnitude(
-        integrator
-          .Estimate(ray.Origin, ray.Direction, ray.Begin, std::numeric_limits<double>::infinity())
-          .Radiance);
+        integrator.Estimate(ray.Origin, ray.Direction, ray.Begin, end).Radiance);
     }
   });
   return *std::max_element(radiances.begin(), radiances.end());
