@@ -242,8 +242,8 @@ double vtkSingleScatteringReference::EstimatePeak(const int size[2])
       const vtkMediumReferenceEyeRay ray =
         vtkMediumReferenceEyeRayOf(this->Scene->Facts.Eye, size, i, j);
       const double end = std::numeric_limits<double>::infinity();
-      radiances[sample] = vtkMediumMagnitude(
-        integrator.Estimate(ray.Origin, ray.Direction, ray.Begin, end).Radiance);
+      radiances[sample] =
+        vtkMediumMagnitude(integrator.Estimate(ray.Origin, ray.Direction, ray.Begin, end).Radiance);
     }
   });
   return *std::max_element(radiances.begin(), radiances.end());
