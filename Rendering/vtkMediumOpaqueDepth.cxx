@@ -52,7 +52,11 @@ void vtkMediumOpaqueDepth::Allocate(
   vtkOpenGLRenderWindow* window, int format, const glm::ivec2& size)
 {
   vtkTextureObject* texture = this->Texture;
-  texture->ReleaseGraphicsResources(window);
+  if (format != this->Format)
+  {
+    this->ReleaseGraphicsResources(window);
+  }
+  // Otherwise the texture keeps its name, and with it its place in the framebuffer.
   texture->SetContext(window);
   texture->SetMinificationFilter(vtkTextureObject::Nearest);
   texture->SetMagnificationFilter(vtkTextureObject::Nearest);
