@@ -139,13 +139,13 @@ bool vtkMediumAccelerator::UploadGroup(int group, int lights, double densityScal
 }
 
 //------------------------------------------------------------------------------
-bool vtkMediumAccelerator::ProjectTiles(const vtkMediumScene& scene, const glm::ivec2& viewportSize)
+void vtkMediumAccelerator::ProjectTiles(const vtkMediumScene& scene, const glm::ivec2& viewportSize)
 {
   vtkMediumBricks::Tiles tiles = this->Bricks.ProjectToTiles(scene, viewportSize.x, viewportSize.y);
   this->Scissor = tiles.Scissor;
   if (tiles.Scissor.z < 1 || tiles.Scissor.w < 1)
   {
-    return false;
+    return;
   }
   vtkTextureObject* texture = this->TileTexture;
   texture->SetContext(this->Window);
@@ -153,7 +153,6 @@ bool vtkMediumAccelerator::ProjectTiles(const vtkMediumScene& scene, const glm::
   texture->SetMagnificationFilter(vtkTextureObject::Nearest);
   texture->Create2DFromRaw(
     tiles.Count.x, tiles.Count.y, 2, VTK_FLOAT, static_cast<void*>(tiles.Ranges.data()));
-  return true;
 }
 
 //------------------------------------------------------------------------------

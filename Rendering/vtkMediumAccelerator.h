@@ -43,8 +43,8 @@ public:
   std::string Update(
     vtkOpenGLRenderWindow* window, const vtkMediumScene& scene, const vtkMediumPlan& plan);
 
-  /// Projects the bricks to the tiles of a viewport. False if nothing of the medium is in view.
-  bool ProjectTiles(const vtkMediumScene& scene, const glm::ivec2& viewportSize);
+  /// Projects the bricks to the tiles of a viewport; the scissor is empty if none is in view.
+  void ProjectTiles(const vtkMediumScene& scene, const glm::ivec2& viewportSize);
   const glm::ivec4& GetScissor() const { return this->Scissor; }
 
   /// Binds the textures and tells the program where they are.
@@ -63,7 +63,6 @@ private:
   {
     vtkMediumLightCache Cache;
     vtkMediumScene::Light Pose;
-    bool Built = false;
   };
 
   void UpdateGrid(const vtkMediumScene& scene);
