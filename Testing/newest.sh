@@ -19,7 +19,7 @@ source "$(dirname "$0")/setup.sh"
 suite=testing
 keyring=/usr/share/keyrings/debian-archive-keyring.gpg
 root=${XDG_CACHE_HOME:-$HOME/.cache}/participating-media/debian-$suite
-copy=/root/participating-media
+copy=/usr/src/participating-media
 
 debian_mirror() {
   local mirror=${PARTICIPATING_MEDIA_DEBIAN_MIRROR:-}
@@ -72,6 +72,7 @@ enter() {
   [ -c "$into/dev/null" ] || as_root mknod -m 666 "$into/dev/null" c 1 3 || die "cannot make $into/dev/null"
   # shellcheck disable=SC2016 # expanded inside
   as_root env --unset=DISPLAY --unset=WAYLAND_DISPLAY --unset=XDG_RUNTIME_DIR --unset=XDG_CACHE_HOME \
+    --unset=CMAKE_CXX_COMPILER_LAUNCHER \
     HOME=/root TMPDIR=/tmp LANG=C.UTF-8 PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
     chroot "$into" /bin/sh -c 'cd "$1" && shift && exec "$@"' sh "$folder" "$@" </dev/null
 }
