@@ -8,6 +8,9 @@
 #include "vtkPixelBufferObject.h"
 #include "vtkShaderProgram.h"
 
+#include <glm/geometric.hpp>
+
+#include <algorithm>
 #include <sstream>
 
 namespace
@@ -113,14 +116,18 @@ void vtkMediumFrame::SetFrameUniforms(
   SetUniform(program, "transmittanceThreshold", plan.TransmittanceThreshold);
   SetUniform(program, "depthTransmittance", plan.DepthTransmittance);
   SetUniform(program, "viewportSize", this->View.Size);
-  SetUniform(program, "eyeOrigin", eye.Origin);
-  SetUniform(program, "eyeOriginX", eye.OriginX);
-  SetUniform(program, "eyeOriginY", eye.OriginY);
+  // Rays start near the volume, not at the eye, for a float is coarse far from the local origin.
+  const double slope = glm::dot(glm::dvec3(eye.ClipW), eye.Direction);
+  const double reach = eye.Parallel ? 0.0 : std::max(eye.ClipW.w / slope, 0.0);
+  SetUniform(program, "eyeReach", reach);
+  SetUniform(program, "eyeOrigin", eye.Origin + reach * eye.Direction);
+  SetUniform(program, "eyeOriginX", eye.OriginX + reach * eye.DirectionX);
+  SetUniform(program, "eyeOriginY", eye.OriginY + reach * eye.DirectionY);
   SetUniform(program, "eyeDirection", eye.Direction);
   SetUniform(program, "eyeDirectionX", eye.DirectionX);
   SetUniform(program, "eyeDirectionY", eye.DirectionY);
-  SetUniform(program, "clipZ", eye.ClipZ);
-  SetUniform(program, "clipW", eye.ClipW);
+  SetUniform(program, "nearPlane", eye.ClipW + eye.ClipZ);
+  SetUniform(program, "farPlane", eye.ClipW - eye.ClipZ);
 }
 
 //------------------------------------------------------------------------------
@@ -149,6 +156,7 @@ void vtkMediumFrame::SetContentUniforms(
   SetUniform(program, "paperAnisotropy", content.Anisotropy.Scale.x);
   SetUniform(program, "paperThreshold", plan.PaperThreshold);
   SetUniform(program, "paperJitter", plan.Jitter);
+  program->SetUniform2i("firstPixel", &this->View.FirstPixel[0]);
 }
 
 //------------------------------------------------------------------------------

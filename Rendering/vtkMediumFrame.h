@@ -44,6 +44,7 @@ public:
   {
     glm::ivec2 Origin{ 0 };
     glm::ivec2 Size{ 0 };
+    glm::ivec2 FirstPixel{ 0 }; ///< in the whole viewport, of which a tiled window shows a part
   };
 
   /// How the shown frame is made of the integrated one; see Shaders/vtkMediumDisplay.glsl.

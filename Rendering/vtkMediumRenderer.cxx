@@ -16,6 +16,8 @@
 
 #include <glm/common.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <sstream>
 
@@ -29,6 +31,26 @@ constexpr int MostProbes = 96;
 constexpr int CacheProbes = 32;
 constexpr double CacheProbeStep = 1;
 constexpr double CacheProbeLightStep = 0.5;
+
+//------------------------------------------------------------------------------
+/// Where the renderer draws, in pixels of the window or of the tile that it is.
+vtkMediumFrame::Viewport FindViewport(vtkRenderer* renderer)
+{
+  vtkMediumFrame::Viewport viewport;
+  renderer->GetTiledSizeAndOrigin(
+    &viewport.Size.x, &viewport.Size.y, &viewport.Origin.x, &viewport.Origin.y);
+  vtkWindow* window = renderer->GetRenderWindow();
+  const int* size = window->GetSize(); // of all tiles together
+  double tile[4], part[4];
+  window->GetTileViewport(tile);
+  renderer->GetViewport(part);
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const double before = (tile[axis] - part[axis]) * size[axis] + viewport.Origin[axis];
+    viewport.FirstPixel[axis] = std::max(static_cast<int>(std::lround(before)), 0);
+  }
+  return viewport;
+}
 
 //------------------------------------------------------------------------------
 /// Milliseconds since it was made, or since the last lap.
@@ -246,9 +268,7 @@ std::string vtkMediumRenderer::Integrate(vtkMediumFrame& frame, const vtkMediumP
 //------------------------------------------------------------------------------
 std::string vtkMediumRenderer::DrawFrame(const Request& request, const vtkMediumPlan& plan)
 {
-  vtkMediumFrame::Viewport viewport;
-  request.Renderer->GetTiledSizeAndOrigin(
-    &viewport.Size.x, &viewport.Size.y, &viewport.Origin.x, &viewport.Origin.y);
+  const vtkMediumFrame::Viewport viewport = FindViewport(request.Renderer);
   if (viewport.Size.x < 1 || viewport.Size.y < 1)
   {
     return {}; // a viewport without pixels shows nothing

@@ -6,9 +6,10 @@
 
 in vec2 texCoord;          // 0...1 over the viewport
 uniform vec2 viewportSize; // pixels
-uniform vec3 eyeOrigin, eyeOriginX, eyeOriginY;
+uniform vec3 eyeOrigin, eyeOriginX, eyeOriginY; // on the plane through the volume's centre, if before it
 uniform vec3 eyeDirection, eyeDirectionX, eyeDirectionY;
-uniform vec4 clipZ, clipW; // rows of the local-to-clip matrix
+uniform float eyeReach; // from the eye to that plane, in lengths of the direction
+uniform vec4 nearPlane, farPlane; // clip w + z and w - z: > 0 between the planes
 uniform sampler2D opaqueDepth;
 #ifdef TILES
 uniform sampler2D tiles; // for each square of pixels, the first and last t at which its rays meet a brick
@@ -24,11 +25,12 @@ struct EyeRay
   float offset;   // from the eye to the origin
 };
 
-// Where the ray has the normalised depth z (-1 near plane, 1 far plane): solves clipZ.p = z clipW.p.
-float eyeRayAtDepth(vec3 origin, vec3 direction, float z)
+// Where the ray has a window depth (0 near plane, 1 far plane), which is near / (near + far).
+float eyeRayAtDepth(vec3 origin, vec3 direction, float depth)
 {
-  float numerator = dot(clipZ.xyz, origin) + clipZ.w - z * (dot(clipW.xyz, origin) + clipW.w);
-  return numerator / (z * dot(clipW.xyz, direction) - dot(clipZ.xyz, direction));
+  float towards = (1.0 - depth) * dot(nearPlane.xyz, direction) - depth * dot(farPlane.xyz, direction);
+  vec4 point = vec4(origin, 1.0);
+  return (depth * dot(farPlane, point) - (1.0 - depth) * dot(nearPlane, point)) / towards;
 }
 
 EyeRay eyeRay()
@@ -36,18 +38,20 @@ EyeRay eyeRay()
   vec2 pixel = floor(texCoord * viewportSize) + 0.5; // its exact centre
   vec2 at = pixel / viewportSize * 2.0 - 1.0;
   vec3 origin = eyeOrigin + at.x * eyeOriginX + at.y * eyeOriginY;
-  vec3 direction = normalize(eyeDirection + at.x * eyeDirectionX + at.y * eyeDirectionY);
+  vec3 along = eyeDirection + at.x * eyeDirectionX + at.y * eyeDirectionY;
+  vec3 direction = normalize(along);
+  float reach = eyeReach * length(along);
   vec2 interval = rayBox(frameBoxPoint(origin), frameBoxDirection(direction));
-  interval.x = max(interval.x, eyeRayAtDepth(origin, direction, -1.0));
+  interval.x = max(interval.x, eyeRayAtDepth(origin, direction, 0.0));
   float depth = texelFetch(opaqueDepth, ivec2(gl_FragCoord.xy), 0).r;
   if (depth < 1.0)
   {
-    interval.y = min(interval.y, eyeRayAtDepth(origin, direction, depth * 2.0 - 1.0));
+    interval.y = min(interval.y, eyeRayAtDepth(origin, direction, depth));
   }
 #ifdef TILES
-  vec2 tile = texelFetch(tiles, ivec2(pixel) / TILES, 0).rg;
+  vec2 tile = texelFetch(tiles, ivec2(pixel) / TILES, 0).rg - reach;
   interval = vec2(max(interval.x, tile.x), min(interval.y, tile.y));
 #endif
   return EyeRay(
-    origin + interval.x * direction, direction, interval.y - interval.x, interval.x);
+    origin + interval.x * direction, direction, interval.y - interval.x, reach + interval.x);
 }

@@ -12,6 +12,7 @@ uniform vec3 paperExtinction, paperScattering; // per local unit
 uniform float paperAnisotropy;
 uniform float paperJitter;      // the largest start, as a fraction of a step
 uniform sampler2D jitterTable;  // random numbers in [0, 1)
+uniform ivec2 firstPixel;       // of the target in the viewport, of which it may be a tile
 
 #ifdef LIT
 // The length of the light ray inside the medium, from a point in it to where the ray leaves the volume
@@ -129,7 +130,7 @@ void main()
   FrameState state = frameBegin();
   vec3 start = frameBoxPoint(ray.origin);
   vec3 along = frameBoxDirection(ray.direction);
-  ivec2 entry = ivec2(gl_FragCoord.xy) % textureSize(jitterTable, 0);
+  ivec2 entry = (ivec2(gl_FragCoord.xy) + firstPixel) % textureSize(jitterTable, 0);
   float jitter = paperJitter * texelFetch(jitterTable, entry, 0).r;
   state.rays = 1.0;
   PaperMarch march = paperBegin(ray, start, state);

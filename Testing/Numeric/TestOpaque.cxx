@@ -126,6 +126,19 @@ TEST(Opaque, SlantedPlaneEndsTheRays)
   ExpectMediumBeforePlane(scene, plane, { -0.6, 0, 0.8 });
 }
 
+TEST(Opaque, PlaneEndsTheRaysOfADistantEye)
+{
+  const Plane plane = { { 0, 0, 1 }, 0.1 };
+  Scene scene(MakeBox(Size), 12);
+  plane.AddTo(scene.Renderer);
+  scene.AddBeam({ 0, 0, -1 });
+  scene.Look({ 0.1, -0.1, -1 }, 2000);
+  scene.Camera->SetViewAngle(0.05);
+  scene.Camera->SetClippingRange(1995, 2005);
+  // VTK draws the plane by a float matrix, which is good to some 1e-4 at this distance.
+  ExpectMediumBeforePlane(scene, plane, { 0, 0, 1 }, 2e-3);
+}
+
 TEST(Opaque, PlaneEndsThePapersDistance)
 {
   const Plane plane = { { 0, 0, 1 }, 0.2 };
