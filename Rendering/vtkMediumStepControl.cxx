@@ -15,6 +15,13 @@ constexpr double ProbeSafety = 2;       // the worst pixel against the worst pro
 constexpr double SlowestOrder = 1.4;    // least ratio of successive changes that is believed
 constexpr double SecondOrder = 4;
 constexpr double CacheShare = 0.75; // of the error, that caches may use up
+constexpr std::size_t MostFound = 16;
+
+//------------------------------------------------------------------------------
+glm::dvec3 FindAxis(const vtkMediumScene::View& eye)
+{
+  return glm::normalize(eye.Parallel ? eye.Direction : glm::dvec3(eye.ClipW));
+}
 }
 
 //------------------------------------------------------------------------------
@@ -33,17 +40,27 @@ double vtkMediumStepControl::RelativeDifference(
 
 //------------------------------------------------------------------------------
 bool vtkMediumStepControl::IsCalibrated(
-  const vtkMediumScene& scene, double maximumError, CacheUses caches) const
+  const vtkMediumScene& scene, double maximumError, CacheUses caches)
 {
-  if (this->Signature.IsEmpty() || maximumError != this->MaximumError || caches != this->Caches)
+  if (this->Found.empty() || maximumError != this->MaximumError || caches != this->Caches ||
+    vtkMediumSignature::OfContentAndLights(scene) != this->Signature)
   {
     return false;
   }
-  const double distance = glm::length(this->Eye);
-  const double sameDirection = 0.985; // cosine of ten degrees
-  return glm::distance(scene.Eye.Origin, this->Eye) <= 0.1 * distance + 0.01 &&
-    glm::dot(scene.Eye.Direction, this->Direction) > sameDirection &&
-    vtkMediumSignature::OfContentAndLights(scene) == this->Signature;
+  const glm::dvec3 axis = FindAxis(scene.Eye);
+  const double sameAxis = 0.985; // cosine of ten degrees
+  auto holds = [&](const Calibration& found) {
+    return glm::distance(scene.Eye.Origin, found.Eye) <= 0.1 * glm::length(found.Eye) + 0.01 &&
+      glm::dot(axis, found.Axis) > sameAxis;
+  };
+  const auto found = std::find_if(this->Found.begin(), this->Found.end(), holds);
+  if (found == this->Found.end())
+  {
+    return false;
+  }
+  this->Step = found->Step;
+  this->Error = found->Error;
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -51,13 +68,17 @@ void vtkMediumStepControl::Calibrate(
   const vtkMediumScene& scene, double maximumError, double voxel, const Probes& probes)
 {
   const vtkMediumSignature signature = vtkMediumSignature::OfContentAndLights(scene);
-  if (signature != this->Signature)
+  const bool sameContent = signature == this->Signature;
+  if (!sameContent)
   {
     this->Signature = signature;
     this->CacheError = -1;
   }
-  this->Eye = scene.Eye.Origin;
-  this->Direction = scene.Eye.Direction;
+  if (!sameContent || maximumError != this->MaximumError || probes.Caches != this->Caches ||
+    this->Found.size() >= MostFound)
+  {
+    this->Found.clear();
+  }
   this->MaximumError = maximumError;
   this->Caches = probes.Caches;
   ++this->Calibrations;
@@ -77,6 +98,7 @@ void vtkMediumStepControl::Calibrate(
   {
     this->FindStep(maximumError, voxel, probes.Marched);
   }
+  this->Found.push_back({ scene.Eye.Origin, FindAxis(scene.Eye), this->Step, this->Error });
 }
 
 //------------------------------------------------------------------------------

@@ -48,9 +48,10 @@ public:
     std::function<double()> CacheError;
   };
 
-  /// Whether the last calibration holds for this scene and error: the same content and lights, and an
-  /// eye that has moved by less than a tenth of its distance and turned by less than ten degrees.
-  bool IsCalibrated(const vtkMediumScene& scene, double maximumError, CacheUses caches) const;
+  /// Whether a calibration holds for this scene and error, whose step is then the current one: the same
+  /// content and lights, and an eye that is off by less than a tenth of its distance and less than ten
+  /// degrees. Several are remembered, so that two eyes do not take each other's place.
+  bool IsCalibrated(const vtkMediumScene& scene, double maximumError, CacheUses caches);
 
   /// Finds the step; `voxel` is the step of one voxel, local units.
   void Calibrate(
@@ -69,11 +70,19 @@ public:
   int GetCalibrations() const { return this->Calibrations; }
 
 private:
+  /// A step that was found, and the eye that it was found for.
+  struct Calibration
+  {
+    glm::dvec3 Eye{ 0 };
+    glm::dvec3 Axis{ 0 }; ///< unit; the normal of the image plane, wherever in it the window is
+    double Step = 0;
+    double Error = 0;
+  };
+
   void FindStep(double maximumError, double voxel, const Probe& probe);
 
   vtkMediumSignature Signature;
-  glm::dvec3 Eye{ 0 };
-  glm::dvec3 Direction{ 0 };
+  std::vector<Calibration> Found; ///< of this signature, error and use of caches
   double MaximumError = 0;
   CacheUses Caches = Never;
   bool Cached = false;

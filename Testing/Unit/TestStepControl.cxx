@@ -17,6 +17,7 @@ vtkMediumScene MakeScene()
 {
   vtkMediumScene scene;
   scene.Eye.Origin = { 0, 0, 3 };
+  scene.Eye.ClipW = { 0, 0, -1, 3 };
   scene.Lights.resize(1);
   return scene;
 }
@@ -103,6 +104,12 @@ TEST(StepControl, IsRepeatedOnlyForMaterialChanges)
   moved.Eye.Origin = { 3, 0, 0 };
   EXPECT_FALSE(control.IsCalibrated(moved, maximum, vtkMediumStepControl::Never)) << "another side";
 
+  moved = scene;
+  moved.Eye.Direction = { 0.3, 0, -1 };
+  EXPECT_TRUE(control.IsCalibrated(moved, maximum, vtkMediumStepControl::Never)) << "off centre";
+  moved.Eye.ClipW = { 0.3, 0, -1, 3 };
+  EXPECT_FALSE(control.IsCalibrated(moved, maximum, vtkMediumStepControl::Never)) << "turned";
+
   EXPECT_FALSE(control.IsCalibrated(scene, maximum / 2, vtkMediumStepControl::Never))
     << "another error";
   vtkMediumScene relit = scene;
@@ -113,6 +120,37 @@ TEST(StepControl, IsRepeatedOnlyForMaterialChanges)
   denser.Content.DensityScale = 3;
   EXPECT_FALSE(control.IsCalibrated(denser, maximum, vtkMediumStepControl::Never))
     << "another density";
+}
+
+//------------------------------------------------------------------------------
+TEST(StepControl, TwoEyesKeepTheirOwnSteps)
+{
+  vtkMediumStepControl control;
+  const auto never = vtkMediumStepControl::Never;
+  const double maximum = 1.0 / 255;
+  vtkMediumScene left = MakeScene(), right = MakeScene();
+  left.Eye.Origin = { -0.1, 0, 0 }; // inside the volume, where a tenth of the distance is little
+  right.Eye.Origin = { 0.1, 0, 0 };
+  control.Calibrate(left, maximum, Voxel, Marched(Law(1e-3, 2)));
+  const double coarse = control.GetStep();
+  EXPECT_FALSE(control.IsCalibrated(right, maximum, never));
+  control.Calibrate(right, maximum, Voxel, Marched(Law(1e-2, 2)));
+  const double fine = control.GetStep();
+  EXPECT_LT(fine, coarse);
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    EXPECT_TRUE(control.IsCalibrated(left, maximum, never));
+    EXPECT_EQ(control.GetStep(), coarse);
+    EXPECT_TRUE(control.IsCalibrated(right, maximum, never));
+    EXPECT_EQ(control.GetStep(), fine);
+  }
+  // A new content or error starts anew.
+  control.Calibrate(left, maximum / 2, Voxel, Marched(Law(1e-3, 2)));
+  EXPECT_FALSE(control.IsCalibrated(right, maximum / 2, never));
+  left.Content.DensityScale = 2;
+  control.Calibrate(left, maximum / 2, Voxel, Marched(Law(1e-3, 2)));
+  left.Content.DensityScale = 1;
+  EXPECT_FALSE(control.IsCalibrated(left, maximum / 2, never));
 }
 
 //------------------------------------------------------------------------------
