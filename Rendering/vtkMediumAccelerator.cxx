@@ -12,19 +12,19 @@
 namespace
 {
 //------------------------------------------------------------------------------
-int CountGroups(int lights)
+// The lights of a texture: [first, last).
+glm::ivec2 LightsOf(int group, const vtkMediumPlan& plan)
 {
-  return (lights + vtkMediumAccelerator::LightsPerTexture - 1) /
-    vtkMediumAccelerator::LightsPerTexture;
+  const int first = group * plan.GetLightsPerTexture();
+  return { first, std::min(first + plan.GetLightsPerTexture(), plan.CachedLights) };
 }
 
 //------------------------------------------------------------------------------
-// Channels of a group's texture: what its lights need, as OpenGL has it.
-int CountChannels(int group, int lights)
+// Channels of a texture: what its lights need, as OpenGL has it.
+int CountChannels(const glm::ivec2& lights, bool roughness)
 {
-  const int here = std::min(lights - group * vtkMediumAccelerator::LightsPerTexture,
-    vtkMediumAccelerator::LightsPerTexture);
-  return here == 3 ? 4 : here;
+  const int count = (lights.y - lights.x) * (roughness ? 2 : 1);
+  return count == 3 ? 4 : count;
 }
 }
 
@@ -45,7 +45,7 @@ std::string vtkMediumAccelerator::Update(
     this->BrickSignature = occupancy;
     ++this->BrickBuilds;
   }
-  if (!this->UpdateCaches(scene, plan.CachedLights))
+  if (plan.CachedLights > 0 && !this->UpdateCaches(scene, plan))
   {
     const glm::ivec3& size = this->Grid.GetDimensions();
     std::ostringstream text;
@@ -70,21 +70,22 @@ void vtkMediumAccelerator::UpdateGrid(const vtkMediumScene& scene)
 }
 
 //------------------------------------------------------------------------------
-bool vtkMediumAccelerator::UpdateCaches(const vtkMediumScene& scene, int lights)
+bool vtkMediumAccelerator::UpdateCaches(const vtkMediumScene& scene, const vtkMediumPlan& plan)
 {
   const double densityScale = scene.Content.DensityScale;
-  const bool allNew = this->Lights.empty() || lights != this->CachedLights ||
-    densityScale != this->CachedDensityScale;
-  this->Lights.resize(lights);
-  this->CacheTextures.resize(CountGroups(lights));
-  this->CachedLights = lights;
+  const bool allNew = this->Lights.empty() || plan.CachedLights != this->CachedLights ||
+    plan.CacheRoughness != this->CachedRoughness || densityScale != this->CachedDensityScale;
+  this->Lights.resize(plan.CachedLights);
+  this->CacheTextures.resize(plan.GetCacheTextures());
+  this->CachedLights = plan.CachedLights;
+  this->CachedRoughness = plan.CacheRoughness;
   this->CachedDensityScale = densityScale;
-  for (int group = 0; group < CountGroups(lights); ++group)
+  for (int group = 0; group < plan.GetCacheTextures(); ++group)
   {
     bool changed =
       allNew || !this->CacheTextures[group] || !this->CacheTextures[group]->GetHandle();
-    const int end = std::min((group + 1) * LightsPerTexture, lights);
-    for (int number = group * LightsPerTexture; number < end; ++number)
+    const glm::ivec2 lights = LightsOf(group, plan);
+    for (int number = lights.x; number < lights.y; ++number)
     {
       std::unique_ptr<CachedLight>& light = this->Lights[number];
       if (!light || !vtkMediumLightCache::HaveSamePose(light->Pose, scene.Lights[number]))
@@ -96,7 +97,7 @@ bool vtkMediumAccelerator::UpdateCaches(const vtkMediumScene& scene, int lights)
         changed = true;
       }
     }
-    if (changed && !this->UploadGroup(group, lights, densityScale))
+    if (changed && !this->UploadGroup(group, plan))
     {
       this->Lights.clear();
       return false;
@@ -106,16 +107,25 @@ bool vtkMediumAccelerator::UpdateCaches(const vtkMediumScene& scene, int lights)
 }
 
 //------------------------------------------------------------------------------
-bool vtkMediumAccelerator::UploadGroup(int group, int lights, double densityScale)
+bool vtkMediumAccelerator::UploadGroup(int group, const vtkMediumPlan& plan)
 {
-  const int channels = CountChannels(group, lights);
-  const int end = std::min((group + 1) * LightsPerTexture, lights);
+  const glm::ivec2 lights = LightsOf(group, plan);
+  const int channels = CountChannels(lights, plan.CacheRoughness);
   const glm::ivec3& size = this->Grid.GetDimensions();
   std::vector<std::uint16_t> texels(this->Grid.GetValues().size() * channels);
-  for (int number = group * LightsPerTexture; number < end; ++number)
+  for (int number = lights.x; number < lights.y; ++number)
   {
-    this->Lights[number]->Cache.PackTransmittance(
-      densityScale, true, texels.data() + number % LightsPerTexture, channels);
+    const vtkMediumLightCache& cache = this->Lights[number]->Cache;
+    if (plan.CacheRoughness)
+    {
+      cache.PackWithRoughness(
+        this->CachedDensityScale, texels.data() + 2 * (number - lights.x), channels);
+    }
+    else
+    {
+      cache.PackTransmittance(
+        this->CachedDensityScale, true, texels.data() + number - lights.x, channels);
+    }
   }
   static const unsigned int formats[5] = { 0, GL_R16F, GL_RG16F, GL_RGBA16F, GL_RGBA16F };
   if (!this->CacheTextures[group])
@@ -129,6 +139,7 @@ bool vtkMediumAccelerator::UploadGroup(int group, int lights, double densityScal
   texture->SetWrapR(vtkTextureObject::ClampToEdge);
   texture->SetMinificationFilter(vtkTextureObject::Linear);
   texture->SetMagnificationFilter(vtkTextureObject::Linear);
+  texture->ResetFormatAndType(); // it may have had other channels
   texture->SetInternalFormat(formats[channels]);
   texture->SetDataType(GL_HALF_FLOAT);
   while (glGetError() != GL_NO_ERROR)
@@ -167,7 +178,7 @@ void vtkMediumAccelerator::Activate(vtkShaderProgram* program, const vtkMediumPl
   {
     activate(this->TileTexture, "tiles");
   }
-  for (int group = 0; group < CountGroups(plan.CachedLights); ++group)
+  for (int group = 0; group < plan.GetCacheTextures(); ++group)
   {
     activate(this->CacheTextures[group], "lightCaches[" + std::to_string(group) + ']');
   }
@@ -176,6 +187,7 @@ void vtkMediumAccelerator::Activate(vtkShaderProgram* program, const vtkMediumPl
   const glm::vec3 bias((this->Grid.GetLower() + 0.5) / size);
   program->SetUniform3f("lightCacheScale", &scale[0]);
   program->SetUniform3f("lightCacheBias", &bias[0]);
+  program->SetUniformf("lightTolerance", static_cast<float>(plan.LightTolerance));
 }
 
 //------------------------------------------------------------------------------
@@ -206,10 +218,10 @@ void vtkMediumAccelerator::ReleaseGraphicsResources(vtkWindow* window)
 vtkTypeInt64 vtkMediumAccelerator::GetBytes() const
 {
   vtkTypeInt64 bytes = 0;
-  for (int group = 0; group < static_cast<int>(this->CacheTextures.size()); ++group)
+  for (const auto& texture : this->CacheTextures)
   {
-    bytes += static_cast<vtkTypeInt64>(this->Grid.GetValues().size()) *
-      CountChannels(group, this->CachedLights) * sizeof(std::uint16_t);
+    bytes += static_cast<vtkTypeInt64>(this->Grid.GetValues().size()) * texture->GetComponents() *
+      sizeof(std::uint16_t);
   }
   return bytes;
 }

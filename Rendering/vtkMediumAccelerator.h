@@ -35,9 +35,6 @@ VTK_ABI_NAMESPACE_END
 class vtkMediumAccelerator
 {
 public:
-  /// Lights in one texture: its channels.
-  static constexpr int LightsPerTexture = 4;
-
   /// Builds and uploads what the plan asks for and what changed. Returns an empty string, or what the
   /// device could not hold.
   std::string Update(
@@ -66,8 +63,8 @@ private:
   };
 
   void UpdateGrid(const vtkMediumScene& scene);
-  bool UpdateCaches(const vtkMediumScene& scene, int lights);
-  bool UploadGroup(int group, int lights, double densityScale);
+  bool UpdateCaches(const vtkMediumScene& scene, const vtkMediumPlan& plan);
+  bool UploadGroup(int group, const vtkMediumPlan& plan);
 
   vtkOpenGLRenderWindow* Window = nullptr;
   vtkMediumSignature GridSignature;
@@ -77,6 +74,7 @@ private:
   std::vector<std::unique_ptr<CachedLight>> Lights;
   std::vector<vtkSmartPointer<vtkTextureObject>> CacheTextures;
   int CachedLights = 0;           ///< as uploaded
+  bool CachedRoughness = false;   ///< as uploaded
   double CachedDensityScale = -1; ///< as uploaded
   vtkNew<vtkTextureObject> TileTexture;
   glm::ivec4 Scissor{ 0 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMediumExtinctionGrid.h"
 
+#include "vtkMediumExtinctionProjection.h"
 #include "vtkMediumLatticeRows.h"
 
 #include "vtkSMPThreadLocal.h"
@@ -140,6 +141,21 @@ void ApplyRows(const vtkMediumField& field, int component, const Curve& curve, d
 }
 
 //------------------------------------------------------------------------------
+void ReadRows(const vtkMediumField& field, int component, std::vector<float>& values)
+{
+  const vtkMediumLatticeRows rows(field, component);
+  const glm::ivec3 n = field.Dimensions;
+  vtkSMPTools::For(0, static_cast<vtkIdType>(n.y) * n.z, [&](vtkIdType begin, vtkIdType end) {
+    std::vector<double> row(n.x);
+    for (vtkIdType r = begin; r < end; ++r)
+    {
+      rows.Read(static_cast<int>(r % n.y), static_cast<int>(r / n.y), row.data());
+      std::copy(row.begin(), row.end(), values.begin() + r * n.x);
+    }
+  });
+}
+
+//------------------------------------------------------------------------------
 // For a field on another lattice than the grid's.
 void ApplyResampled(const vtkMediumField& field, int component, const Curve& curve, double scale,
   Operations operation, const vtkMediumExtinctionGrid& grid, std::vector<float>& values)
@@ -234,7 +250,25 @@ void vtkMediumExtinctionGrid::Build(const vtkMediumScene& scene, int channel)
   {
     apply(medium.Scattering, scene.Geometry.Length, Add);
   }
+  if (this->Linear && !this->Affine && !medium.ExtinctionIsAbsorption)
+  {
+    this->Project(scene, channel);
+  }
   this->FindStatistics();
+}
+
+//------------------------------------------------------------------------------
+void vtkMediumExtinctionGrid::Project(const vtkMediumScene& scene, int channel)
+{
+  const Coefficient& coefficient = scene.Content.Extinction;
+  const vtkMediumField& field = scene.Content.Fields[coefficient.FieldIndex];
+  std::vector<float> scalars(this->Values.size());
+  ReadRows(field, ComponentOf(coefficient, field, channel), scalars);
+  const Curve curve(scene.Content, coefficient, channel);
+  const double length = scene.Geometry.Length;
+  const vtkMediumExtinctionProjection projection(
+    field.Minimum, field.Maximum, [&](double scalar) { return length * curve(scalar); });
+  projection.Apply(this->Dimensions, scalars, this->Values);
 }
 
 //------------------------------------------------------------------------------

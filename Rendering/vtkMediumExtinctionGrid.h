@@ -9,7 +9,9 @@
  *
  * Classifying first and interpolating afterwards equals what the renderers do, interpolating first,
  * only where extinction is an affine function of the scalar; IsAffine() says whether it is so over
- * the range of this data. Where it is not, the two agree at lattice points and differ in between.
+ * the range of this data. Where it is not, the values are those whose interpolation is the best
+ * approximation (vtkMediumExtinctionProjection) where extinction is a function of one field; else the
+ * two agree at lattice points and differ in between.
  *
  * @par Lattice coordinates
  * (0,0,0) is the first value, Dimensions-1 the last. The box of a point array ends there; that of a
@@ -79,6 +81,7 @@ public:
 
 private:
   void ChooseLattice(const vtkMediumScene& scene);
+  void Project(const vtkMediumScene& scene, int channel);
   void FindStatistics();
 
   glm::ivec3 Dimensions{ 0 };

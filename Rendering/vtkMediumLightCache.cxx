@@ -37,6 +37,30 @@ void Prefilter(const float* center, const float* below, const float* above, cons
       (left + right + below[x] + above[x] + front[x] + back[x] - 6 * center[x]) * (1.0f / 12);
   }
 }
+
+//------------------------------------------------------------------------------
+// One row: 1/8 of the magnitudes of the second differences along x, y and z.
+void FindRoughness(const float* center, const float* below, const float* above, const float* front,
+  const float* back, int n, float* target)
+{
+  for (int x = 0; x < n; ++x)
+  {
+    const float left = center[std::max(x - 1, 0)], right = center[std::min(x + 1, n - 1)];
+    const float twice = 2 * center[x];
+    target[x] = (std::abs(left + right - twice) + std::abs(below[x] + above[x] - twice) +
+                  std::abs(front[x] + back[x] - twice)) *
+      (1.0f / 8);
+  }
+}
+
+//------------------------------------------------------------------------------
+void MarkUnknown(const float* depths, int n, float* roughness)
+{
+  for (int x = 0; x < n; ++x)
+  {
+    roughness[x] = depths[x] < 0 ? 1.0f : roughness[x];
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -73,18 +97,18 @@ bool vtkMediumLightCache::HaveSamePose(
 //------------------------------------------------------------------------------
 // Slices [begin, end) of the lattice, written to target from its start.
 void vtkMediumLightCache::FilterSlices(
-  double densityScale, bool prefilter, int begin, int end, float* target) const
+  double densityScale, Filters filter, int begin, int end, float* target) const
 {
   const glm::ivec3 n = this->Dimensions;
   const std::size_t slice = static_cast<std::size_t>(n.x) * n.y;
-  const int first = prefilter ? std::max(begin - 1, 0) : begin;
-  const int last = prefilter ? std::min(end + 1, n.z) : end;
+  const int first = filter == Plain ? begin : std::max(begin - 1, 0);
+  const int last = filter == Plain ? end : std::min(end + 1, n.z);
   std::vector<float> transmittance((last - first) * slice);
   const float scale = static_cast<float>(-densityScale);
   const float* depths = this->Depths.data() + first * slice;
   for (std::size_t i = 0; i < transmittance.size(); ++i)
   {
-    transmittance[i] = std::exp(std::max(scale * depths[i], -80.0f));
+    transmittance[i] = std::exp(std::max(scale * std::max(depths[i], 0.0f), -80.0f));
   }
   for (int z = begin; z < end; ++z)
   {
@@ -96,22 +120,29 @@ void vtkMediumLightCache::FilterSlices(
     for (int y = 0; y < n.y; ++y)
     {
       float* result = target + (z - begin) * slice + y * static_cast<std::size_t>(n.x);
-      if (prefilter)
+      switch (filter)
       {
-        Prefilter(
-          row(y, z), row(y - 1, z), row(y + 1, z), row(y, z - 1), row(y, z + 1), n.x, result);
-      }
-      else
-      {
-        std::copy(row(y, z), row(y, z) + n.x, result);
+        case Plain:
+          std::copy(row(y, z), row(y, z) + n.x, result);
+          break;
+        case Prefiltered:
+          Prefilter(
+            row(y, z), row(y - 1, z), row(y + 1, z), row(y, z - 1), row(y, z + 1), n.x, result);
+          break;
+        case Roughness:
+          FindRoughness(
+            row(y, z), row(y - 1, z), row(y + 1, z), row(y, z - 1), row(y, z + 1), n.x, result);
+          MarkUnknown(
+            this->Depths.data() + z * slice + y * static_cast<std::size_t>(n.x), n.x, result);
+          break;
       }
     }
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkMediumLightCache::PackTransmittance(
-  double densityScale, bool prefilter, std::uint16_t* target, std::size_t stride) const
+void vtkMediumLightCache::Pack(
+  double densityScale, Filters filter, std::uint16_t* target, std::size_t stride) const
 {
   constexpr int Slab = 4; // slices at a time; two more are computed for them
   const std::size_t slice = static_cast<std::size_t>(this->Dimensions.x) * this->Dimensions.y;
@@ -121,7 +152,7 @@ void vtkMediumLightCache::PackTransmittance(
     for (int slab = static_cast<int>(begin); slab < end; ++slab)
     {
       const int first = slab * Slab, last = std::min(first + Slab, this->Dimensions.z);
-      this->FilterSlices(densityScale, prefilter, first, last, values.data());
+      this->FilterSlices(densityScale, filter, first, last, values.data());
       vtkMediumPackHalf(
         values.data(), (last - first) * slice, target + first * slice * stride, stride);
     }
@@ -129,12 +160,39 @@ void vtkMediumLightCache::PackTransmittance(
 }
 
 //------------------------------------------------------------------------------
-std::vector<float> vtkMediumLightCache::GetTransmittance(double densityScale, bool prefilter) const
+void vtkMediumLightCache::PackTransmittance(
+  double densityScale, bool prefilter, std::uint16_t* target, std::size_t stride) const
+{
+  this->Pack(densityScale, prefilter ? Prefiltered : Plain, target, stride);
+}
+
+//------------------------------------------------------------------------------
+void vtkMediumLightCache::PackWithRoughness(
+  double densityScale, std::uint16_t* target, std::size_t stride) const
+{
+  this->Pack(densityScale, Prefiltered, target, stride);
+  this->Pack(densityScale, Roughness, target + 1, stride);
+}
+
+//------------------------------------------------------------------------------
+std::vector<float> vtkMediumLightCache::Get(double densityScale, Filters filter) const
 {
   std::vector<float> values(this->Depths.size());
   if (!values.empty())
   {
-    this->FilterSlices(densityScale, prefilter, 0, this->Dimensions.z, values.data());
+    this->FilterSlices(densityScale, filter, 0, this->Dimensions.z, values.data());
   }
   return values;
+}
+
+//------------------------------------------------------------------------------
+std::vector<float> vtkMediumLightCache::GetTransmittance(double densityScale, bool prefilter) const
+{
+  return this->Get(densityScale, prefilter ? Prefiltered : Plain);
+}
+
+//------------------------------------------------------------------------------
+std::vector<float> vtkMediumLightCache::GetRoughness(double densityScale) const
+{
+  return this->Get(densityScale, Roughness);
 }

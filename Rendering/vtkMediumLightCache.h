@@ -10,7 +10,8 @@
  *
  * Optical depths are for a DensityScale of 1 and know no colour, albedo or phase function: only the
  * grid and the light's pose count. They are promised within two lattice steps of extinction > 0, where
- * interpolation can meet them with their neighbours; elsewhere they may be 0.
+ * interpolation can meet them with their neighbours; elsewhere they may be
+ * vtkMediumLightStencil::Unknown, which counts as a transmittance of 1.
  *
  * @par Memory
  * 4 bytes a lattice point are kept. While building, a directional light needs up to 5 more at 256^3
@@ -22,6 +23,11 @@
  * 1/12 of them on average over a cell, always to the same side. PackTransmittance takes that mean error
  * off in advance, so that what is left averages out along a ray. The result may be a little outside of
  * [0, 1].
+ *
+ * @par Roughness
+ * How far a lookup may err is a lattice function too: 1/8 of the sum of the magnitudes of the second
+ * differences, and 1 where nothing is known. A shader that reads it beside the transmittance marches a
+ * light ray only until the cache can be trusted (Shaders/vtkMediumLightMarchToCache.glsl).
  */
 #ifndef vtkMediumLightCache_h
 #define vtkMediumLightCache_h
@@ -61,8 +67,13 @@ public:
   void PackTransmittance(
     double densityScale, bool prefilter, std::uint16_t* target, std::size_t stride = 1) const;
 
+  /// The prefiltered transmittance, and the roughness right after it: target[i * stride] and
+  /// target[i * stride + 1].
+  void PackWithRoughness(double densityScale, std::uint16_t* target, std::size_t stride = 2) const;
+
   /// The same as floats, one for each lattice point.
   std::vector<float> GetTransmittance(double densityScale, bool prefilter) const;
+  std::vector<float> GetRoughness(double densityScale) const;
 
   /// How often Build ran, since creation.
   int GetNumberOfBuilds() const { return this->Builds; }
@@ -70,7 +81,17 @@ public:
   long long GetNumberOfMarches() const { return this->Marches; }
 
 private:
-  void FilterSlices(double densityScale, bool prefilter, int begin, int end, float* target) const;
+  /// What is made of a point and the sum of its second differences, or of their magnitudes.
+  enum Filters
+  {
+    Plain,
+    Prefiltered,
+    Roughness,
+  };
+
+  void FilterSlices(double densityScale, Filters filter, int begin, int end, float* target) const;
+  void Pack(double densityScale, Filters filter, std::uint16_t* target, std::size_t stride) const;
+  std::vector<float> Get(double densityScale, Filters filter) const;
 
   double Tolerance = 0.5 / 255;
   bool Slabs = false;

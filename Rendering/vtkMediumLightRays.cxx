@@ -3,6 +3,7 @@
 #include "vtkMediumLightRays.h"
 
 #include "vtkMediumLightPyramid.h"
+#include "vtkMediumLightStencil.h"
 #include "vtkMediumOccupiedRows.h"
 
 #include <glm/common.hpp>
@@ -15,9 +16,10 @@ long long vtkMediumLightRays::Build(const vtkMediumExtinctionGrid& grid,
   const vtkMediumScene::Light& light, double density, double tolerance, int reach,
   std::vector<float>& tau)
 {
-  tau.assign(grid.GetValues().size(), 0.0f);
+  tau.assign(grid.GetValues().size(), vtkMediumLightStencil::Unknown);
   if (!(grid.GetMaximum() > 0))
   {
+    std::fill(tau.begin(), tau.end(), 0.0f);
     return 0;
   }
   const vtkMediumOccupiedRows rows(grid, reach, false);

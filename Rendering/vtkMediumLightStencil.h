@@ -31,6 +31,9 @@
 class VTKPARTICIPATINGMEDIARENDERING_EXPORT vtkMediumLightStencil
 {
 public:
+  /// Stands for an optical depth that was not computed; less than any that was.
+  static constexpr float Unknown = -1;
+
   /// The weight of the lattice value at an offset from the point where optical depth is wanted.
   /// Bit q of the index into Weights says that the offset lands on the face of axis q through which
   /// rays leave the box.
@@ -51,7 +54,7 @@ public:
 
   /// Writes the optical depths at the lattice points of `grid`, the one of Build or one with the same
   /// lattice. Only points within `reach` lattice steps of extinction > 0 along each axis are promised,
-  /// others are computed where that is convenient and 0 elsewhere; a negative reach computes all.
+  /// others are Unknown; a negative reach computes all.
   void Apply(const vtkMediumExtinctionGrid& grid, int reach, std::vector<float>& tau) const;
 
 private:

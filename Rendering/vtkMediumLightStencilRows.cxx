@@ -237,7 +237,7 @@ void vtkMediumLightStencil::Apply(
   // Slabs build upon each other, so all points of their planes are needed.
   const vtkMediumOccupiedRows rows(grid, this->SlabPlanes > 0 ? -1 : reach, true);
   const RowSums sums(this->Entries, this->ExitPlane, rows, n);
-  tau.assign(grid.GetValues().size(), 0.0f);
+  tau.assign(grid.GetValues().size(), this->SlabPlanes > 0 ? 0.0f : Unknown);
   if (this->SlabPlanes == 0)
   {
     vtkSMPTools::For(0, static_cast<vtkIdType>(n.y) * n.z, 8, [&](vtkIdType begin, vtkIdType end) {

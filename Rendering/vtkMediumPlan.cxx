@@ -150,8 +150,9 @@ void vtkMediumPlan::SplitIntoPasses(
   // surface, which at worst doubles its steps. Binary searches are written out and loop nowhere. Mesa
   // counts one or two iterations more for a loop than it makes, hence the fours.
   const int eyeSteps = static_cast<int>(std::ceil((paper ? 2 : 1) / this->EyeStep)) + 2;
-  const int lightIterations = this->CachedLights > 0 ? 1
-                                                     : 4 +
+  const bool lookUp = this->CachedLights > 0 && !this->CacheRoughness;
+  const int lightIterations = lookUp ? 1
+                                     : 4 +
       static_cast<int>(
         std::ceil(paper ? 1 / this->LightStep : 1 / (this->LightStep * LightTapsPerIteration)));
   const int eyeIterations = 4;
@@ -190,11 +191,15 @@ void vtkMediumPlan::PlanErrorControlled(const vtkMediumScene& scene, const Setti
     voxels = std::max(voxels, static_cast<vtkTypeInt64>(size.x) * size.y * size.z);
   }
   const int lights = static_cast<int>(scene.Lights.size());
-  const vtkTypeInt64 bytes = 2 * voxels * lights;
-  if (settings.UseLightCaches && this->Lit && linear && !scene.Content.ChromaticExtinction &&
-    lights <= MostCachedLights && bytes <= settings.LightCacheBytes)
+  const bool rough = settings.LightMethod == MarchThenLookUp;
+  const vtkTypeInt64 bytes = (rough ? 4 : 2) * voxels * lights;
+  if (settings.LightMethod != March && this->Lit && linear && !scene.Content.ChromaticExtinction &&
+    lights <= (rough ? MostCachedLights / 2 : MostCachedLights) &&
+    bytes <= settings.LightCacheBytes)
   {
     this->CachedLights = lights;
+    this->CacheRoughness = rough;
+    this->LightTolerance = settings.LightTolerance;
   }
 }
 
@@ -290,7 +295,9 @@ void vtkMediumPlan::ChooseProgram(
   }
   if (this->CachedLights > 0)
   {
-    defines << "#define LIGHT_CACHE_GROUPS " << (this->CachedLights + 3) / 4 << "\n";
+    defines << "#define LIGHT_CACHE_TEXTURES " << this->GetCacheTextures() << "\n";
+    defines << "#define LIGHTS_PER_CACHE_TEXTURE " << this->GetLightsPerTexture() << "\n";
+    defines << (this->CacheRoughness ? "#define LIGHT_CACHE_ROUGHNESS\n" : "");
   }
   if (exact)
   {
@@ -329,9 +336,28 @@ void vtkMediumPlan::ChooseShaderFiles(int integrator)
       add({ "Content" });
       if (this->Lit)
       {
-        add({ this->CachedLights > 0 ? "LightCache" : "LightRay" });
+        this->ChooseLightFiles();
       }
       add({ "InScatter", "Output", "FixedStep" });
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMediumPlan::ChooseLightFiles()
+{
+  std::vector<std::string>& files = this->ShaderFiles;
+  const bool marches = this->CachedLights == 0 || this->CacheRoughness;
+  if (marches)
+  {
+    files.push_back("LightSteps");
+  }
+  if (this->CachedLights > 0)
+  {
+    files.push_back("LightCache");
+  }
+  if (marches)
+  {
+    files.push_back(this->CacheRoughness ? "LightMarchToCache" : "LightRay");
   }
 }
 

@@ -19,6 +19,14 @@
 class VTKPARTICIPATINGMEDIARENDERING_EXPORT vtkMediumPlan
 {
 public:
+  /// How the transmittance to a light is found.
+  enum LightMethods
+  {
+    March,           ///< along the whole light ray
+    LookUp,          ///< in the light's cache
+    MarchThenLookUp, ///< along the light ray until the cache is accurate enough
+  };
+
   /// What the user asked for; the mapper's members, with its enumerations.
   struct Settings
   {
@@ -35,7 +43,9 @@ public:
     int DepthDefinition = 0;
     double DepthTransmittance = 0.5;
     double MaximumError = 1.0 / 255;
-    bool UseLightCaches = true;     ///< ErrorControlled
+    LightMethods LightMethod = LookUp; ///< ErrorControlled
+    double LightTolerance =
+      0; ///< MarchThenLookUp: radiance per local unit that look-ups may err by
     double ControlledLightStep = 0; ///< ErrorControlled: of marched light rays; 0: the eye's
     double ControlledStep =
       0; ///< ErrorControlled: the step that was found, local units; 0: a voxel
@@ -76,7 +86,9 @@ public:
 
   /// The shortest step, as a fraction of the volume's diagonal; beyond it float adds only rounding.
   static constexpr double ShortestStep = 1.0 / 100000;
-  /// Lights that have caches; the light rays of more are marched.
+  /// Textures for the caches of lights, and so the lights that have caches; the light rays of more are
+  /// marched.
+  static constexpr int MostCacheTextures = 4;
   static constexpr int MostCachedLights = 16;
   /// Pixels along the edge of a tile.
   static constexpr int TileEdge = 8;
@@ -94,6 +106,9 @@ public:
 
   bool UseBricks = false; ///< eye rays keep to the tiles that bricks were projected to
   int CachedLights = 0; ///< the first so many lights have a light cache; 0: light rays are marched
+  bool CacheRoughness = false; ///< light rays are marched until their cache is accurate enough
+  double LightTolerance =
+    0;                  ///< with CacheRoughness: radiance per local unit that look-ups may err by
   bool Lit = false;     ///< light rays are marched: there is light, and something scatters it
   double EyeStep = 0;   ///< local units
   double LightStep = 0; ///< local units
@@ -115,6 +130,13 @@ public:
   /// The same plan in steps of twice the length.
   vtkMediumPlan Coarser() const;
 
+  /// The lights that share a texture of caches: its channels, or half of them with roughness.
+  int GetLightsPerTexture() const { return this->CacheRoughness ? 2 : 4; }
+  int GetCacheTextures() const
+  {
+    return (this->CachedLights + this->GetLightsPerTexture() - 1) / this->GetLightsPerTexture();
+  }
+
   /// Whether marches are carried from draw to draw.
   bool NeedsState() const { return this->Passes.size() > 1 || this->IterationBudget > 0; }
 
@@ -132,6 +154,7 @@ private:
   void SplitIntoPasses(const vtkMediumScene&, const Settings&, const Capabilities&);
   void ChooseProgram(const vtkMediumScene&, const Settings&, const Capabilities&);
   void ChooseShaderFiles(int integrator);
+  void ChooseLightFiles();
 };
 
 #endif

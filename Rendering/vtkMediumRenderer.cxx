@@ -89,38 +89,60 @@ std::string vtkMediumRenderer::Draw(const Request& request, vtkMediumStatistics*
     return draft.Refusal;
   }
   statistics->GatherMilliseconds = watch.Lap();
-
-  refusal = this->Textures.Update(this->Window, this->Scene, draft);
-  statistics->UploadMilliseconds = watch.Lap();
-  if (refusal.empty())
-  {
-    refusal = this->Accelerator.Update(this->Window, this->Scene, draft);
-  }
-  statistics->BuildMilliseconds = watch.Lap();
-  this->Programs.ResetCompileMilliseconds();
-  if (refusal.empty() && draft.UseBricks)
-  {
-    refusal = this->FindStep(request, device, draft.CachedLights > 0);
-  }
-  const double compiledForProbes = this->Programs.GetCompileMilliseconds();
-  statistics->CalibrateMilliseconds = watch.Lap() - compiledForProbes;
+  vtkMediumPlan::Settings settings = request.Settings;
+  refusal = this->Prepare(request, device, draft, settings, statistics);
   if (!refusal.empty())
   {
     return refusal;
   }
-
-  vtkMediumPlan::Settings settings = request.Settings;
-  settings.ControlledStep = this->StepControl.GetStep();
-  settings.UseLightCaches = this->StepControl.UsesCaches();
+  watch.Lap();
+  const double compiledBefore = this->Programs.GetCompileMilliseconds();
   const vtkMediumPlan plan(this->Scene, settings, device);
   refusal = this->DrawFrame(request, plan);
   const double compiled = this->Programs.GetCompileMilliseconds();
   statistics->CompileMilliseconds = compiled;
-  statistics->IntegrateMilliseconds = watch.Lap() - (compiled - compiledForProbes);
+  statistics->IntegrateMilliseconds = watch.Lap() - (compiled - compiledBefore);
   if (refusal.empty())
   {
     this->CountWork(plan, statistics);
   }
+  return refusal;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkMediumRenderer::Prepare(const Request& request,
+  const vtkMediumPlan::Capabilities& device, const vtkMediumPlan& draft,
+  vtkMediumPlan::Settings& settings, vtkMediumStatistics* statistics)
+{
+  Stopwatch watch;
+  std::string refusal = this->Textures.Update(this->Window, this->Scene, draft);
+  statistics->UploadMilliseconds = watch.Lap();
+  this->Programs.ResetCompileMilliseconds();
+  if (!refusal.empty() || !draft.UseBricks)
+  {
+    statistics->BuildMilliseconds = statistics->CalibrateMilliseconds = 0;
+    return refusal;
+  }
+  const vtkMediumStepControl::CacheUses caches = draft.CachedLights == 0
+    ? vtkMediumStepControl::Never
+    : request.AlwaysCache ? vtkMediumStepControl::Always
+                          : vtkMediumStepControl::WhereAccurate;
+  auto useFound = [&]() {
+    settings.ControlledStep = this->StepControl.GetStep();
+    settings.LightMethod = this->StepControl.GetLight().Method;
+    settings.LightTolerance = this->StepControl.GetLight().Tolerance;
+    const vtkMediumPlan plan(this->Scene, settings, device);
+    return this->Accelerator.Update(this->Window, this->Scene, plan);
+  };
+  const bool calibrated = this->StepControl.IsCalibrated(this->Scene, request.MaximumError, caches);
+  refusal = calibrated ? useFound() : this->Accelerator.Update(this->Window, this->Scene, draft);
+  statistics->BuildMilliseconds = watch.Lap();
+  if (refusal.empty() && !calibrated)
+  {
+    refusal = this->FindStep(request, device, caches);
+    refusal = refusal.empty() ? useFound() : refusal;
+  }
+  statistics->CalibrateMilliseconds = watch.Lap() - this->Programs.GetCompileMilliseconds();
   return refusal;
 }
 
@@ -203,22 +225,17 @@ std::vector<float> vtkMediumRenderer::IntegrateProbes(const glm::ivec2& pixels,
   vtkMediumFrame::Viewport viewport;
   viewport.Size = pixels;
   const vtkMediumPlan plan(this->Scene, settings, device);
-  const std::string problem = this->Probe.Begin(this->Window, viewport, plan.NeedsState(), false);
+  std::string problem = this->Accelerator.Update(this->Window, this->Scene, plan);
+  problem =
+    problem.empty() ? this->Probe.Begin(this->Window, viewport, plan.NeedsState(), false) : problem;
   refusal = problem.empty() ? this->Integrate(this->Probe, plan) : problem;
   return this->Probe.DownloadRadiance();
 }
 
 //------------------------------------------------------------------------------
-std::string vtkMediumRenderer::FindStep(
-  const Request& request, const vtkMediumPlan::Capabilities& device, bool cached)
+std::string vtkMediumRenderer::FindStep(const Request& request,
+  const vtkMediumPlan::Capabilities& device, vtkMediumStepControl::CacheUses caches)
 {
-  const vtkMediumStepControl::CacheUses caches = !cached ? vtkMediumStepControl::Never
-    : request.AlwaysCache                                ? vtkMediumStepControl::Always
-                                                         : vtkMediumStepControl::WhereAccurate;
-  if (this->StepControl.IsCalibrated(this->Scene, request.MaximumError, caches))
-  {
-    return {};
-  }
   int width = 0, height = 0, x = 0, y = 0;
   request.Renderer->GetTiledSizeAndOrigin(&width, &height, &x, &y);
   const glm::ivec2 pixels = glm::clamp(
@@ -229,28 +246,22 @@ std::string vtkMediumRenderer::FindStep(
   settings.Output = vtkSingleScatteringVolumeMapper::Radiance;
 
   std::string refusal;
-  auto probe = [&](bool fromCaches) {
-    return [&, fromCaches](double step) {
-      settings.UseLightCaches = fromCaches;
-      settings.ControlledStep = step;
-      settings.ControlledLightStep = 0;
-      return this->IntegrateProbes(pixels, settings, device, refusal);
-    };
+  auto integrate = [&](const glm::ivec2& size, const vtkMediumStepControl::Light& light) {
+    settings.LightMethod = light.Method;
+    settings.LightTolerance = light.Tolerance;
+    return this->IntegrateProbes(size, settings, device, refusal);
   };
   vtkMediumStepControl::Probes probes;
   probes.Caches = caches;
-  probes.Cached = probe(true);
-  probes.Marched = probe(false);
-  probes.CacheError = [&]() {
+  probes.InSteps = [&](const vtkMediumStepControl::Light& light, double step) {
+    settings.ControlledStep = step;
+    settings.ControlledLightStep = 0;
+    return integrate(pixels, light);
+  };
+  probes.InLight = [&](const vtkMediumStepControl::Light& light) {
     settings.ControlledStep = CacheProbeStep * voxel;
     settings.ControlledLightStep = CacheProbeLightStep * voxel;
-    settings.UseLightCaches = true;
-    const std::vector<float> fast =
-      this->IntegrateProbes(glm::ivec2(CacheProbes), settings, device, refusal);
-    settings.UseLightCaches = false;
-    const std::vector<float> right =
-      this->IntegrateProbes(glm::ivec2(CacheProbes), settings, device, refusal);
-    return vtkMediumStepControl::RelativeDifference(fast, right);
+    return integrate(glm::ivec2(CacheProbes), light);
   };
   this->StepControl.Calibrate(this->Scene, request.MaximumError, voxel, probes);
   return refusal;
@@ -301,6 +312,9 @@ void vtkMediumRenderer::CountWork(const vtkMediumPlan& plan, vtkMediumStatistics
 {
   ++statistics->Frames;
   statistics->Passes = this->Frame.GetDraws();
+  statistics->LightMethod = plan.CachedLights == 0 ? vtkMediumStatistics::LightMarched
+    : plan.CacheRoughness                          ? vtkMediumStatistics::LightMarchedToItsCache
+                                                   : vtkMediumStatistics::LightLookedUp;
   statistics->TextureUploads = this->Textures.GetUploads();
   statistics->ProgramCompiles = this->Programs.GetCompiles();
   statistics->BrickBuilds = this->Accelerator.GetBrickBuilds();

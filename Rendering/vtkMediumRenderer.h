@@ -76,8 +76,10 @@ private:
   std::string UseWindow(vtkRenderer* renderer);
   std::string Gather(const Request& request);
   std::string GatherView(vtkRenderer* renderer);
-  std::string FindStep(
-    const Request& request, const vtkMediumPlan::Capabilities& device, bool cached);
+  std::string Prepare(const Request& request, const vtkMediumPlan::Capabilities& device,
+    const vtkMediumPlan& draft, vtkMediumPlan::Settings& settings, vtkMediumStatistics* statistics);
+  std::string FindStep(const Request& request, const vtkMediumPlan::Capabilities& device,
+    vtkMediumStepControl::CacheUses caches);
   std::vector<float> IntegrateProbes(const glm::ivec2& pixels,
     const vtkMediumPlan::Settings& settings, const vtkMediumPlan::Capabilities& device,
     std::string& refusal);

@@ -39,6 +39,15 @@ public:
   vtkGetMacro(Passes, vtkTypeInt64);
   ///@}
 
+  /// How the last frame found the transmittance to a light.
+  enum LightMethods
+  {
+    LightMarched,          ///< along the whole light ray, or not at all
+    LightLookedUp,         ///< in the light's cache
+    LightMarchedToItsCache ///< along the light ray until the cache was accurate enough
+  };
+  vtkGetMacro(LightMethod, int);
+
   ///@{
   /// Of the last frame: bricks of 8 x 8 x 8 cells that eye rays may have to enter, and bricks that are
   /// empty and were leapt; both 0 in integrators without bricks.
@@ -85,6 +94,7 @@ private:
   vtkTypeInt64 Taps = 0;
   vtkTypeInt64 Rays = 0;
   vtkTypeInt64 Passes = 0;
+  int LightMethod = LightMarched;
   double GatherMilliseconds = 0;
   double UploadMilliseconds = 0;
   double BuildMilliseconds = 0;

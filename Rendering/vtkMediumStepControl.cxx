@@ -15,7 +15,24 @@ constexpr double ProbeSafety = 2;       // the worst pixel against the worst pro
 constexpr double SlowestOrder = 1.4;    // least ratio of successive changes that is believed
 constexpr double SecondOrder = 4;
 constexpr double CacheShare = 0.75; // of the error, that caches may use up
+// What look-ups may err by along the volume's diagonal: at first, of the error that is asked for, since
+// they err to both sides; from then on as the error that it causes says.
+constexpr double FirstTolerance = 4;
+constexpr double ToleranceOrder = 1.2;
+constexpr double MostOfTolerance = 0.5;
+constexpr int Tolerances = 5;
 constexpr std::size_t MostFound = 16;
+
+//------------------------------------------------------------------------------
+double PeakOf(const vtkMediumStepControl::Image& image)
+{
+  double peak = 0;
+  for (std::size_t i = 0; i < image.size(); ++i)
+  {
+    peak = std::max(peak, i % 4 == 3 ? 0.0 : image[i]); // alpha is no radiance
+  }
+  return peak;
+}
 
 //------------------------------------------------------------------------------
 glm::dvec3 FindAxis(const vtkMediumScene::View& eye)
@@ -25,16 +42,14 @@ glm::dvec3 FindAxis(const vtkMediumScene::View& eye)
 }
 
 //------------------------------------------------------------------------------
-double vtkMediumStepControl::RelativeDifference(
-  const std::vector<float>& image, const std::vector<float>& other)
+double vtkMediumStepControl::RelativeDifference(const Image& image, const Image& other)
 {
-  double largest = 0, peak = 0;
+  double largest = 0;
   for (std::size_t i = 0; i < other.size(); ++i)
   {
-    const double value = other[i];
-    largest = std::max(largest, std::abs(value - image[i]));
-    peak = std::max(peak, i % 4 == 3 ? 0.0 : value); // alpha is no radiance
+    largest = std::max(largest, std::abs(double(other[i]) - image[i]));
   }
+  const double peak = PeakOf(other);
   return peak > 0 ? largest / peak : largest; // without light the image is its alpha alone
 }
 
@@ -72,46 +87,77 @@ void vtkMediumStepControl::Calibrate(
   if (!sameContent)
   {
     this->Signature = signature;
-    this->CacheError = -1;
+    this->Marched.clear();
   }
-  if (!sameContent || maximumError != this->MaximumError || probes.Caches != this->Caches ||
-    this->Found.size() >= MostFound)
+  const bool sameLight =
+    sameContent && maximumError == this->MaximumError && probes.Caches == this->Caches;
+  if (!sameLight)
+  {
+    this->FindLight(maximumError, probes);
+  }
+  if (!sameLight || this->Found.size() >= MostFound)
   {
     this->Found.clear();
   }
   this->MaximumError = maximumError;
   this->Caches = probes.Caches;
   ++this->Calibrations;
-  if (probes.Caches != Never && this->CacheError < 0)
-  {
-    this->CacheError = ProbeSafety * probes.CacheError();
-  }
-  this->Cached = probes.Caches != Never &&
-    (probes.Caches == Always || this->CacheError <= CacheShare * maximumError);
-  if (this->Cached)
-  {
-    const double room = maximumError - std::min(this->CacheError, CacheShare * maximumError);
-    this->FindStep(room, voxel, probes.Cached);
-    this->Error += this->CacheError;
-  }
-  else
-  {
-    this->FindStep(maximumError, voxel, probes.Marched);
-  }
+  this->FindStep(
+    maximumError - std::min(this->Lighting.Error, CacheShare * maximumError), voxel, probes);
+  this->Error += this->Lighting.Error;
   this->Found.push_back({ scene.Eye.Origin, FindAxis(scene.Eye), this->Step, this->Error });
 }
 
 //------------------------------------------------------------------------------
-void vtkMediumStepControl::FindStep(double maximumError, double voxel, const Probe& probe)
+void vtkMediumStepControl::FindLight(double maximumError, const Probes& probes)
+{
+  this->Lighting = Light();
+  if (probes.Caches == Never)
+  {
+    return;
+  }
+  auto errorOf = [&](const Light& light) {
+    return ProbeSafety * RelativeDifference(probes.InLight(light), this->Marched);
+  };
+  Light light;
+  light.Method = vtkMediumPlan::LookUp;
+  if (this->Marched.empty())
+  {
+    this->Marched = probes.InLight(Light());
+    this->LookUpError = errorOf(light);
+  }
+  light.Error = this->LookUpError;
+  if (probes.Caches == Always || light.Error <= CacheShare * maximumError)
+  {
+    this->Lighting = light;
+    return;
+  }
+  light.Method = vtkMediumPlan::MarchThenLookUp;
+  light.Tolerance = FirstTolerance * maximumError * PeakOf(this->Marched);
+  const double room = CacheShare * maximumError;
+  for (int i = 0; i < Tolerances; ++i)
+  {
+    light.Error = errorOf(light);
+    if (light.Error <= room)
+    {
+      this->Lighting = light;
+      return;
+    }
+    light.Tolerance *= std::min(std::pow(room / light.Error, ToleranceOrder), MostOfTolerance);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMediumStepControl::FindStep(double maximumError, double voxel, const Probes& probes)
 {
   double step = CoarsestStep * voxel;
-  std::vector<float> coarse = probe(step);
+  Image coarse = probes.InSteps(this->Lighting, step);
   double before = -1; // the change of the halving before
   double ratio = SecondOrder;
   for (;;)
   {
     step *= 0.5;
-    std::vector<float> fine = probe(step);
+    Image fine = probes.InSteps(this->Lighting, step);
     const double relative = RelativeDifference(coarse, fine);
     ratio = before > 0 && relative > 0
       ? std::min(std::max(before / relative, SlowestOrder), SecondOrder)

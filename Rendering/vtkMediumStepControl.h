@@ -10,13 +10,15 @@
  * two, so twice that is held against the error. It is an estimate, never a bound.
  *
  * The error of light caches does not shrink with the step. It is found by marching light rays for a few
- * probes; where it leaves too little room, light rays are marched for the whole image.
+ * probes. Where it leaves too little room, light rays are marched until the caches are accurate enough,
+ * to a tolerance that is lowered until there is room; where no tolerance does that, to their ends.
  *
  * No OpenGL: whoever calls it integrates the probes.
  */
 #ifndef vtkMediumStepControl_h
 #define vtkMediumStepControl_h
 
+#include "vtkMediumPlan.h"
 #include "vtkMediumScene.h"
 #include "vtkMediumSignature.h"
 #include "vtkParticipatingMediaRenderingModule.h" // for the export macro
@@ -27,8 +29,16 @@
 class VTKPARTICIPATINGMEDIARENDERING_EXPORT vtkMediumStepControl
 {
 public:
-  /// Integrates the probe pixels at a step, local units; returns R, G, B, alpha of each.
-  using Probe = std::function<std::vector<float>(double step)>;
+  /// How light reaches a sample: see vtkMediumPlan.
+  struct Light
+  {
+    vtkMediumPlan::LightMethods Method = vtkMediumPlan::March;
+    double Tolerance = 0; ///< radiance per local unit that look-ups may err by; MarchThenLookUp
+    double Error = 0;     ///< what that causes, as a fraction of the probes' peak radiance
+  };
+
+  /// R, G, B, alpha of each probe pixel.
+  using Image = std::vector<float>;
 
   /// When light comes from the caches; their error is part of the estimate in any case.
   enum CacheUses
@@ -41,11 +51,12 @@ public:
   /// How the renderer integrates probes.
   struct Probes
   {
-    Probe Cached;  ///< light from the caches; not asked for where Caches is Never
-    Probe Marched; ///< light rays marched in the same step
+    /// Integrates at a step, local units; light rays are marched in the same step.
+    std::function<Image(const Light& light, double step)> InSteps;
+    /// Integrates in steps so short that only the way to the light makes a difference; not asked for
+    /// where Caches is Never.
+    std::function<Image(const Light& light)> InLight;
     CacheUses Caches = Never;
-    /// The error that the caches cause, as a fraction of the probes' peak radiance.
-    std::function<double()> CacheError;
   };
 
   /// Whether a calibration holds for this scene and error, whose step is then the current one: the same
@@ -58,11 +69,10 @@ public:
     const vtkMediumScene& scene, double maximumError, double voxel, const Probes& probes);
 
   /// The largest difference of two images of the same pixels, as a fraction of the second's peak.
-  static double RelativeDifference(
-    const std::vector<float>& image, const std::vector<float>& other);
+  static double RelativeDifference(const Image& image, const Image& other);
 
-  /// Whether light comes from the caches: their error leaves room for that of the step.
-  bool UsesCaches() const { return this->Cached; }
+  /// How light is to be found: the cheapest way whose error leaves room for that of the step.
+  const Light& GetLight() const { return this->Lighting; }
   double GetStep() const { return this->Step; }
   /// The estimated error at that step, of the peak radiance of the probes.
   double GetEstimatedError() const { return this->Error; }
@@ -79,14 +89,16 @@ private:
     double Error = 0;
   };
 
-  void FindStep(double maximumError, double voxel, const Probe& probe);
+  void FindLight(double maximumError, const Probes& probes);
+  void FindStep(double maximumError, double voxel, const Probes& probes);
 
   vtkMediumSignature Signature;
   std::vector<Calibration> Found; ///< of this signature, error and use of caches
   double MaximumError = 0;
   CacheUses Caches = Never;
-  bool Cached = false;
-  double CacheError = -1; ///< < 0: not known
+  Light Lighting;
+  Image Marched; ///< InLight with marched light rays, for this signature; empty: not asked for yet
+  double LookUpError = 0; ///< of plain look-ups, where Marched is known
   double Step = 0;
   double Error = 0;
   int Calibrations = 0;

@@ -91,7 +91,8 @@ std::string vtkSingleScatteringVolumeMapper::Draw(vtkRenderer* renderer, vtkVolu
   settings.DepthDefinition = this->DepthDefinition;
   settings.DepthTransmittance = this->DepthTransmittance;
   settings.MaximumError = this->MaximumError;
-  settings.UseLightCaches = this->LightCaches != CachesNever;
+  settings.LightMethod =
+    this->LightCaches == CachesNever ? vtkMediumPlan::March : vtkMediumPlan::LookUp;
   request.AlwaysCache = this->LightCaches == CachesAlways;
 
   const std::string problem = this->Drawing->Draw(request, this->Statistics);

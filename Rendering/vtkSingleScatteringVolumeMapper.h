@@ -134,7 +134,7 @@ public:
   ///@}
 
   ///@{
-  /// The integrator. Default: FixedStep.
+  /// The integrator. Default: ErrorControlled.
   vtkSetClampMacro(Integrator, int, Paper, Exact);
   vtkGetMacro(Integrator, int);
   void SetIntegratorToPaper() { this->SetIntegrator(Paper); }
@@ -154,10 +154,12 @@ public:
   ///@{
   /// ErrorControlled: whether light comes from caches, one look-up for a light ray, or from marched light
   /// rays. Caches have an error of their own, on data that change abruptly from voxel to voxel, which no
-  /// step mends: WhereAccurate (default) takes them only where MaximumError leaves room for it; Always
-  /// takes them and lets GetEstimatedError say what that costs; Never marches.
+  /// step mends. WhereAccurate (default) takes them where MaximumError leaves room for that error, and
+  /// elsewhere marches each light ray until its cache is accurate enough; Always takes them and lets
+  /// GetEstimatedError say what that costs; Never marches.
   /// Caches serve up to 16 lights and media of grey extinction with linear interpolation, and take 2
-  /// bytes a voxel for each light, at most 1 GiB; beyond that light rays are marched.
+  /// bytes a voxel for each light, at most 1 GiB; where light rays are marched up to them, 4 bytes and 8
+  /// lights. Beyond that light rays are marched to their ends.
   vtkSetClampMacro(LightCaches, int, CachesWhereAccurate, CachesNever);
   vtkGetMacro(LightCaches, int);
   void SetLightCachesToWhereAccurate() { this->SetLightCaches(CachesWhereAccurate); }
@@ -298,7 +300,7 @@ private:
   vtkSmartPointer<vtkParticipatingMedium> Medium;
   double Anisotropy = 0;
   int PhaseFunction = HenyeyGreenstein;
-  int Integrator = FixedStep;
+  int Integrator = ErrorControlled;
   double MaximumError = 1.0 / 255;
   int LightCaches = CachesWhereAccurate;
   double SampleDistance = 0;

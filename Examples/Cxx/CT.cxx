@@ -106,8 +106,7 @@ int main(int argc, char* argv[])
   else
   {
     mapper->SetIntegratorToErrorControlled();
-    mapper->SetMaximumError(4.0 / 255); // of the step; bone and air side by side cost caches more
-    mapper->SetLightCachesToAlways();
+    mapper->SetMaximumError(4.0 / 255);
   }
 
   vtkNew<vtkVolume> volume;

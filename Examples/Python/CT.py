@@ -25,7 +25,7 @@ parser.add_argument("volume", nargs="?", help="a .vti, .nii, .nii.gz, .mhd, .mha
 parser.add_argument("--output", default="ct.png", help="the PNG to write")
 parser.add_argument("--size", type=int, default=512, help="pixels along an edge")
 parser.add_argument("--step", type=float, help="mm along a ray, twice that to a light, in FixedStep; "
-                    "without it the mapper finds a step and looks light up in caches")
+                    "without it the mapper finds a step for an error of 4/255")
 parser.add_argument("--interactive", action="store_true", help="open a window")
 options = parser.parse_args()
 
@@ -50,8 +50,7 @@ try:
         mapper.SetLightSampleDistance(2 * options.step)
     else:
         mapper.SetIntegratorToErrorControlled()
-        mapper.SetMaximumError(4 / 255)  # of the step; bone and air side by side cost caches more
-        mapper.SetLightCachesToAlways()
+        mapper.SetMaximumError(4 / 255)
     volume = vtkVolume()
     volume.SetMapper(mapper)
     volume.SetProperty(hounsfield_property())  # extinction in 1/mm and albedo by CT number

@@ -12,8 +12,11 @@ SPECTRUM fixedStepSegment(
   Content content = contentAt(frameBoxPoint(point));
   COUNT(1);
   SPECTRUM depth = content.extinction * width;
-  vec3 source = sourceAt(point, ray.direction, content);
-  vec3 gathered = transmittance(before) * segmentMeanTransmittance(depth) * width * source;
+  SPECTRUM weight = transmittance(before) * segmentMeanTransmittance(depth);
+#ifdef LIGHT_CACHE_ROUGHNESS
+  lightSourceWeight = weight;
+#endif
+  vec3 gathered = weight * width * sourceAt(point, ray.direction, content);
   outputSegment(ray.offset + middle - 0.5 * width, width, before, depth, gathered, state);
   return depth;
 }

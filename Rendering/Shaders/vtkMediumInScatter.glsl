@@ -15,7 +15,12 @@ vec3 inScatter(vec3 point, vec3 direction, Content content)
     {
       // cosTheta: the light travels along -light.direction, the eye is along -direction.
       float phase = PHASE(dot(light.direction, direction), content.anisotropy);
-      sum += light.irradiance * phase * lightTransmittance(number, point, light);
+      vec3 unshadowed = light.irradiance * phase;
+#ifdef LIGHT_CACHE_ROUGHNESS
+      vec3 worth = content.scattering * unshadowed;
+      lightImportance = lightSourceWeight * max(max(worth.r, worth.g), worth.b);
+#endif
+      sum += unshadowed * lightTransmittance(number, point, light);
     }
   }
   return content.scattering * sum;

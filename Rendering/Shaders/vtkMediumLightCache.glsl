@@ -1,36 +1,48 @@
 // SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The transmittance from a point to a light, from the caches that vtkMediumLightCache built: four lights
-// a texture. Values are prefiltered, so that trilinear look-ups err to both sides; single ones may lie a
-// little outside of 0...1.
+// The caches of the lights' transmittance that vtkMediumLightCache built, several lights a texture. Values
+// are prefiltered, so that trilinear look-ups err to both sides; single ones may lie a little outside of
+// 0...1.
 
-uniform sampler3D lightCaches[LIGHT_CACHE_GROUPS];
+uniform sampler3D lightCaches[LIGHT_CACHE_TEXTURES];
 uniform vec3 lightCacheScale, lightCacheBias; // box to texture coordinates
 
 // GLSL 1.50 wants the number of a texture to be a constant.
+vec4 lightCacheTexel(int number, vec3 at)
+{
+#if LIGHT_CACHE_TEXTURES > 1
+  if (number == 1)
+  {
+    return texture(lightCaches[1], at);
+  }
+#endif
+#if LIGHT_CACHE_TEXTURES > 2
+  if (number == 2)
+  {
+    return texture(lightCaches[2], at);
+  }
+#endif
+#if LIGHT_CACHE_TEXTURES > 3
+  if (number == 3)
+  {
+    return texture(lightCaches[3], at);
+  }
+#endif
+  return texture(lightCaches[0], at);
+}
+
+vec4 lightCacheAt(int light, vec3 box)
+{
+  COUNT(1);
+  return lightCacheTexel(
+    light / LIGHTS_PER_CACHE_TEXTURE, box * lightCacheScale + lightCacheBias);
+}
+
+#ifndef LIGHT_CACHE_ROUGHNESS
+// The transmittance from a point to a light, by one look-up.
 float lightTransmittance(int number, vec3 point, Light light)
 {
-  vec3 at = frameBoxPoint(point) * lightCacheScale + lightCacheBias;
-  COUNT(1);
-#if LIGHT_CACHE_GROUPS > 1
-  int group = number / 4;
-  if (group == 1)
-  {
-    return texture(lightCaches[1], at)[number % 4];
-  }
-#endif
-#if LIGHT_CACHE_GROUPS > 2
-  if (group == 2)
-  {
-    return texture(lightCaches[2], at)[number % 4];
-  }
-#endif
-#if LIGHT_CACHE_GROUPS > 3
-  if (group == 3)
-  {
-    return texture(lightCaches[3], at)[number % 4];
-  }
-#endif
-  return texture(lightCaches[0], at)[number % 4];
+  return lightCacheAt(number, frameBoxPoint(point))[number % LIGHTS_PER_CACHE_TEXTURE];
 }
+#endif

@@ -100,13 +100,13 @@ struct Headset
 {
   vtkNew<HeadsetCamera> Camera;
 
-  /// Stands at `position`, turned by `yaw` about the y axis, radians, with displays canted outwards by
-  /// `cant` radians each.
-  void Stand(const glm::dvec3& position, double separation, double yaw = 0, double cant = 0)
+  /// Stands at `position`, turned by `yaw` about the y axis, radians, with displays tilted outwards by
+  /// `tilt` radians each.
+  void Stand(const glm::dvec3& position, double separation, double yaw = 0, double tilt = 0)
   {
     for (int i = 0; i < 2; ++i)
     {
-      const double side = i == 0 ? -1 : 1, turn = yaw - side * cant;
+      const double side = i == 0 ? -1 : 1, turn = yaw - side * tilt;
       EyePose& eye = this->Camera->Eyes[i];
       eye.Right = { std::cos(turn), 0, -std::sin(turn) };
       eye.Position =

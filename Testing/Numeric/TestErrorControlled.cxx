@@ -4,6 +4,7 @@
 #include "ReferenceScene.h"
 
 #include "vtkLightCollection.h"
+#include "vtkPiecewiseFunction.h"
 
 using namespace vtkMediumTest;
 
@@ -48,6 +49,38 @@ TEST(ErrorControlled, SaysWhatAlwaysUsingCachesCosts)
   const ReferenceScene::Errors errors = scene.Measure();
   EXPECT_GE(scene.Mapper->GetEstimatedError(), errors.Largest);
   EXPECT_GT(scene.Mapper->GetEstimatedError(), Step8Bit) << "voxels of 0 and 1 are beyond them";
+}
+
+// Dense where the scalar passes a threshold, as bone beside air: extinction is no affine function of the
+// scalar, and falls from one voxel to the next.
+TEST(ErrorControlled, MarchesToCachesWhereLookUpsErr)
+{
+  ControlledScene scene(vtkMediumFixtures::Cloud);
+  vtkNew<vtkPiecewiseFunction> dense;
+  dense->AddPoint(0.1, 0);
+  dense->AddPoint(0.25, 0.02);
+  dense->AddPoint(0.35, 1);
+  scene.Medium->SetExtinctionFunction(dense);
+  scene.Medium->SetExtinctionScale(80);
+  scene.FindTruth();
+  scene.Mapper->GetStatistics()->CountTapsOn();
+  for (double maximum : { 4 * Step8Bit, Step8Bit })
+  {
+    vtkTypeInt64 taps[2];
+    for (bool caches : { false, true })
+    {
+      scene.Mapper->SetMaximumError(maximum);
+      caches ? scene.Mapper->SetLightCachesToWhereAccurate()
+             : scene.Mapper->SetLightCachesToNever();
+      const ReferenceScene::Errors errors = scene.Measure();
+      EXPECT_LE(errors.Largest, maximum) << caches;
+      EXPECT_GE(scene.Mapper->GetEstimatedError(), errors.Largest) << caches;
+      EXPECT_EQ(scene.Mapper->GetStatistics()->GetLightMethod(),
+        caches ? vtkMediumStatistics::LightMarchedToItsCache : vtkMediumStatistics::LightMarched);
+      taps[caches] = scene.Mapper->GetStatistics()->GetTaps();
+    }
+    EXPECT_LT(taps[1], taps[0] / 3);
+  }
 }
 
 // The plain way, FixedStep in the same step, sees the same picture: bricks and tiles leave nothing out.

@@ -121,16 +121,16 @@ TEST(Stereo, EyesOfAHeadsetShareAllThatIsBuilt)
     const bool controlled = integrator == vtkSingleScatteringVolumeMapper::ErrorControlled;
     for (const glm::dvec3& at : { glm::dvec3(0.1, 0.1, 1.3), { 0, 0.05, 0.1 } })
     {
-      for (double cant : { 0.0, 0.1 })
+      for (double tilt : { 0.0, 0.1 })
       {
         SCOPED_TRACE(testing::Message()
-          << "integrator " << integrator << ", z = " << at.z << ", cant " << cant);
+          << "integrator " << integrator << ", z = " << at.z << ", tilt " << tilt);
         FogScene scene(integrator);
         scene.Mapper->SetLightCachesToAlways();
         Headset headset;
         headset.PutOn(scene.Window, scene.Renderer);
         auto draw = [&](double sway) {
-          headset.Stand(at + glm::dvec3(sway, 0, 0), 0.064, sway, cant);
+          headset.Stand(at + glm::dvec3(sway, 0, 0), 0.064, sway, tilt);
           scene.Window->Render();
           return Counts(scene.Mapper->GetStatistics());
         };
@@ -139,7 +139,7 @@ TEST(Stereo, EyesOfAHeadsetShareAllThatIsBuilt)
         EXPECT_EQ(first.Bricks, controlled ? 1 : 0);
         EXPECT_EQ(first.Caches, controlled ? 1 : 0);
         // One for both eyes, but each its own where they stand or look too differently.
-        const bool alike = at.z > 1 && cant == 0;
+        const bool alike = at.z > 1 && tilt == 0;
         EXPECT_LE(first.Calibrations, controlled ? (alike ? 1 : 2) : 0);
         for (int frame = 1; frame < 8; ++frame)
         {

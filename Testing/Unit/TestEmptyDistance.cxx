@@ -100,7 +100,7 @@ TEST(EmptyDistance, MediumBetweenTwoEmptyLatticePointsIsSeen)
     MakeSetting(MakeFilled(glm::ivec3(20), [](const glm::ivec3& at) { return at.x < 10 ? 0 : 1; }));
   UseFunction(setting.Scene, [](double s) { return std::max(0.1 - std::abs(s - 0.5), 0.0); });
   setting.Build();
-  EXPECT_EQ(setting.Grid.GetMaximum(), 0) << "no lattice point has extinction";
+  EXPECT_GT(setting.Grid.GetMaximum(), 0) << "the shell casts a shadow, in caches too";
   vtkMediumEmptyDistance distance;
   distance.Build(setting.Scene, setting.Grid, setting.Bricks);
   EXPECT_EQ(distance.GetValues()[setting.Grid.GetIndex(9, 5, 5)], 0);

@@ -46,10 +46,69 @@ TEST(LightCache, PacksTheTransmittanceOfTheScaledDensity)
   cache.PackTransmittance(0.5, true, packed.data() + 1, 2);
   for (std::size_t i = 0; i < plain.size(); ++i)
   {
-    ASSERT_FLOAT_EQ(plain[i], std::exp(-0.5f * cache.GetOpticalDepths()[i]));
+    ASSERT_FLOAT_EQ(plain[i], std::exp(-0.5f * std::max(cache.GetOpticalDepths()[i], 0.0f)));
     ASSERT_EQ(packed[2 * i + 1], vtkMediumHalfFromFloat(filtered[i]));
     ASSERT_EQ(packed[2 * i], 7) << "other channels are left alone";
   }
+}
+
+//------------------------------------------------------------------------------
+// Second differences are not all there is to an error, but nearly.
+TEST(LightCache, RoughnessIsWhatLookupsErrBy)
+{
+  for (auto field : { Smooth, Cloud, Binary })
+  {
+    const vtkMediumExtinctionGrid grid = MakeGrid(field);
+    const Light light = MakeDirectional({ 1, -0.4, 0.7 });
+    vtkMediumLightCache cache;
+    cache.Build(grid, light);
+    const std::vector<float> transmittance = cache.GetTransmittance(1, true);
+    const std::vector<float> roughness = cache.GetRoughness(1);
+    int beyond = 0, known = 0;
+    for (std::uint32_t i = 0; i < 2000; ++i)
+    {
+      const glm::dvec3 unit(Random(3 * i, 31), Random(3 * i + 1, 31), Random(3 * i + 2, 31));
+      const glm::dvec3 at = 2.0 + unit * glm::dvec3(Points - 5);
+      const glm::ivec3 cell(at);
+      double value = 0, rough = 0;
+      for (int corner = 0; corner < 8; ++corner)
+      {
+        const glm::ivec3 bit(corner & 1, corner >> 1 & 1, corner >> 2);
+        const glm::dvec3 f = at - glm::dvec3(cell);
+        const glm::dvec3 w = glm::mix(1.0 - f, f, glm::dvec3(bit));
+        const std::size_t index = grid.GetIndex(cell.x + bit.x, cell.y + bit.y, cell.z + bit.z);
+        value += w.x * w.y * w.z * transmittance[index];
+        rough += w.x * w.y * w.z * roughness[index];
+      }
+      const double error = std::abs(value - std::exp(-vtkMediumLightOpticalDepth(grid, light, at)));
+      known += rough < 0.9 ? 1 : 0;
+      beyond += rough < 0.9 && error > rough + 1e-4 ? 1 : 0;
+    }
+    EXPECT_GT(known, 1000) << field;
+    EXPECT_LT(beyond, known / 12) << field;
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(LightCache, RoughnessIsOneWhereNothingIsKnown)
+{
+  const vtkMediumExtinctionGrid grid = MakeGrid(Binary);
+  vtkMediumLightCache cache;
+  cache.Build(grid, MakeDirectional({ 1, -0.4, 0.7 }));
+  const std::vector<float> roughness = cache.GetRoughness(1);
+  std::vector<std::uint16_t> packed(2 * roughness.size());
+  cache.PackWithRoughness(1, packed.data());
+  int unknown = 0;
+  for (std::size_t i = 0; i < roughness.size(); ++i)
+  {
+    if (cache.GetOpticalDepths()[i] < 0)
+    {
+      ++unknown;
+      ASSERT_EQ(roughness[i], 1);
+    }
+    ASSERT_EQ(packed[2 * i + 1], vtkMediumHalfFromFloat(roughness[i]));
+  }
+  EXPECT_GT(unknown, 0) << "the fixture has empty parts";
 }
 
 //------------------------------------------------------------------------------

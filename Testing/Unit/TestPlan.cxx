@@ -120,6 +120,31 @@ TEST(Plan, CachesLightsOnlyWhereOneGreyTrilinearLookUpIsRight)
 }
 
 //------------------------------------------------------------------------------
+TEST(Plan, MarchesToCachesThatSayHowRoughTheyAre)
+{
+  vtkMediumScene scene = MakeScene();
+  Settings settings = With(Mapper::ErrorControlled);
+  const vtkMediumPlan plain(scene, settings, Device());
+  EXPECT_FALSE(Has(plain, "LIGHT_CACHE_ROUGHNESS"));
+  EXPECT_TRUE(Reads(plain, "LightCache"));
+  EXPECT_FALSE(Reads(plain, "LightMarchToCache") || Reads(plain, "LightSteps"));
+
+  settings.LightMethod = vtkMediumPlan::MarchThenLookUp;
+  settings.LightTolerance = 0.25;
+  const vtkMediumPlan rough(scene, settings, Device());
+  EXPECT_TRUE(Has(rough, "LIGHT_CACHE_ROUGHNESS"));
+  EXPECT_TRUE(Reads(rough, "LightMarchToCache"));
+  EXPECT_EQ(rough.LightTolerance, 0.25);
+  EXPECT_EQ(rough.GetLightsPerTexture(), 2);
+  EXPECT_GE(rough.Passes.size(), plain.Passes.size()) << "light rays may reach their ends";
+
+  scene.Lights.resize(vtkMediumPlan::MostCachedLights / 2 + 1, scene.Lights[0]);
+  EXPECT_EQ(vtkMediumPlan(scene, settings, Device()).CachedLights, 0) << "no texture is left";
+  settings.LightMethod = vtkMediumPlan::LookUp;
+  EXPECT_GT(vtkMediumPlan(scene, settings, Device()).CachedLights, 0);
+}
+
+//------------------------------------------------------------------------------
 TEST(Plan, KeepsLightCachesWithinTheirMemory)
 {
   const vtkMediumScene scene = MakeScene();

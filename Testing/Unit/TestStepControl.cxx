@@ -5,8 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
-#include <utility>
+#include <functional>
 
 namespace
 {
@@ -22,23 +23,44 @@ vtkMediumScene MakeScene()
   return scene;
 }
 
+using Image = vtkMediumStepControl::Image;
+using Light = vtkMediumStepControl::Light;
+using Law = std::function<Image(double step)>;
+
 // A scene without light caches.
-vtkMediumStepControl::Probes Marched(vtkMediumStepControl::Probe probe)
+vtkMediumStepControl::Probes Marched(const Law& law)
 {
   vtkMediumStepControl::Probes probes;
-  probes.Marched = std::move(probe);
+  probes.InSteps = [law](const Light&, double step) { return law(step); };
   return probes;
 }
 
 // Pixels whose error is factor x (step / voxel)^order of the peak.
-vtkMediumStepControl::Probe Law(double factor, double order)
+Law Power(double factor, double order)
 {
   return [=](double step) {
     const double error = factor * std::pow(step / Voxel, order);
     const float bright = static_cast<float>(Peak);
     const float wrong = static_cast<float>(0.5 * Peak * (1 + 2 * error));
-    return std::vector<float>{ bright, bright, bright, 1, wrong, 0, 0, 1 };
+    return Image{ bright, bright, bright, 1, wrong, 0, 0, 1 };
   };
+}
+
+// Caches that err by `lookUp`, and where light rays are marched up to a tolerance by `marched` of it, but
+// not by less than `least`.
+vtkMediumStepControl::Probes Caches(double lookUp, double marched, double least, int& asked)
+{
+  vtkMediumStepControl::Probes probes = Marched(Power(1e-3, 2));
+  probes.Caches = vtkMediumStepControl::WhereAccurate;
+  probes.InLight = [=, &asked](const Light& light) {
+    ++asked;
+    const double error = light.Method == vtkMediumPlan::LookUp ? lookUp
+      : light.Method == vtkMediumPlan::MarchThenLookUp
+      ? std::max(marched * light.Tolerance / Peak, least)
+      : 0;
+    return Image{ float(Peak), float(Peak), float(Peak), 1, float(Peak * error), 0, 0, 1 };
+  };
+  return probes;
 }
 }
 
@@ -52,7 +74,7 @@ TEST(StepControl, MeetsTheErrorWithoutWaste)
     {
       vtkMediumStepControl control;
       const double maximum = 1.0 / 255;
-      control.Calibrate(MakeScene(), maximum, Voxel, Marched(Law(factor, order)));
+      control.Calibrate(MakeScene(), maximum, Voxel, Marched(Power(factor, order)));
       const double error = factor * std::pow(control.GetStep() / Voxel, order);
       EXPECT_LE(error, maximum) << order << ' ' << factor;
       const bool coarsest = control.GetStep() > 7 * Voxel;
@@ -70,7 +92,7 @@ TEST(StepControl, EndsOnImagesThatDoNotConverge)
   int calls = 0;
   const auto flicker = [&](double) {
     ++calls;
-    return std::vector<float>{ static_cast<float>(calls % 2), 1, 1, 1 };
+    return Image{ static_cast<float>(calls % 2), 1, 1, 1 };
   };
   control.Calibrate(MakeScene(), 1e-6, Voxel, Marched(flicker));
   EXPECT_LE(calls, 10);
@@ -82,8 +104,7 @@ TEST(StepControl, EndsOnImagesThatDoNotConverge)
 TEST(StepControl, TakesLongStepsThroughAnImageWithoutLight)
 {
   vtkMediumStepControl control;
-  control.Calibrate(
-    MakeScene(), 1.0 / 255, Voxel, Marched([](double) { return std::vector<float>(8, 0.0f); }));
+  control.Calibrate(MakeScene(), 1.0 / 255, Voxel, Marched([](double) { return Image(8, 0.0f); }));
   EXPECT_GT(control.GetStep(), 4 * Voxel);
   EXPECT_EQ(control.GetEstimatedError(), 0);
 }
@@ -95,7 +116,7 @@ TEST(StepControl, IsRepeatedOnlyForMaterialChanges)
   vtkMediumScene scene = MakeScene();
   const double maximum = 1.0 / 255;
   EXPECT_FALSE(control.IsCalibrated(scene, maximum, vtkMediumStepControl::Never));
-  control.Calibrate(scene, maximum, Voxel, Marched(Law(1e-3, 2)));
+  control.Calibrate(scene, maximum, Voxel, Marched(Power(1e-3, 2)));
   EXPECT_TRUE(control.IsCalibrated(scene, maximum, vtkMediumStepControl::Never));
 
   vtkMediumScene moved = scene;
@@ -131,10 +152,10 @@ TEST(StepControl, TwoEyesKeepTheirOwnSteps)
   vtkMediumScene left = MakeScene(), right = MakeScene();
   left.Eye.Origin = { -0.1, 0, 0 }; // inside the volume, where a tenth of the distance is little
   right.Eye.Origin = { 0.1, 0, 0 };
-  control.Calibrate(left, maximum, Voxel, Marched(Law(1e-3, 2)));
+  control.Calibrate(left, maximum, Voxel, Marched(Power(1e-3, 2)));
   const double coarse = control.GetStep();
   EXPECT_FALSE(control.IsCalibrated(right, maximum, never));
-  control.Calibrate(right, maximum, Voxel, Marched(Law(1e-2, 2)));
+  control.Calibrate(right, maximum, Voxel, Marched(Power(1e-2, 2)));
   const double fine = control.GetStep();
   EXPECT_LT(fine, coarse);
   for (int frame = 0; frame < 3; ++frame)
@@ -145,38 +166,58 @@ TEST(StepControl, TwoEyesKeepTheirOwnSteps)
     EXPECT_EQ(control.GetStep(), fine);
   }
   // A new content or error starts anew.
-  control.Calibrate(left, maximum / 2, Voxel, Marched(Law(1e-3, 2)));
+  control.Calibrate(left, maximum / 2, Voxel, Marched(Power(1e-3, 2)));
   EXPECT_FALSE(control.IsCalibrated(right, maximum / 2, never));
   left.Content.DensityScale = 2;
-  control.Calibrate(left, maximum / 2, Voxel, Marched(Law(1e-3, 2)));
+  control.Calibrate(left, maximum / 2, Voxel, Marched(Power(1e-3, 2)));
   left.Content.DensityScale = 1;
   EXPECT_FALSE(control.IsCalibrated(left, maximum / 2, never));
 }
 
 //------------------------------------------------------------------------------
-TEST(StepControl, MarchesLightRaysWhereCachesErrTooMuch)
+TEST(StepControl, ChoosesTheCheapestLightThatIsAccurateEnough)
 {
   const double maximum = 1.0 / 255;
-  for (double cacheError : { 0.0, 0.2 * maximum, 2 * maximum })
+  struct Case
+  {
+    double LookUp, Marched, Least;
+    vtkMediumPlan::LightMethods Expected;
+  };
+  for (const Case& row :
+    { Case{ 0, 1, 0, vtkMediumPlan::LookUp }, Case{ 0.2 * maximum, 1, 0, vtkMediumPlan::LookUp },
+      Case{ 2 * maximum, 0.01, 0, vtkMediumPlan::MarchThenLookUp },
+      Case{ 2 * maximum, 1, 0, vtkMediumPlan::MarchThenLookUp },
+      Case{ 2 * maximum, 1, maximum, vtkMediumPlan::March } })
   {
     vtkMediumStepControl control;
     int asked = 0;
-    vtkMediumStepControl::Probes probes;
-    probes.Caches = vtkMediumStepControl::WhereAccurate;
-    probes.Cached = probes.Marched = Law(1e-3, 2);
-    probes.CacheError = [&] {
-      ++asked;
-      return cacheError;
-    };
+    vtkMediumStepControl::Probes probes = Caches(row.LookUp, row.Marched, row.Least, asked);
     control.Calibrate(MakeScene(), maximum, Voxel, probes);
-    EXPECT_EQ(control.UsesCaches(), cacheError < maximum);
+    const Light& light = control.GetLight();
+    EXPECT_EQ(light.Method, row.Expected) << row.LookUp << ' ' << row.Marched;
     EXPECT_LE(control.GetEstimatedError(), maximum * 1.001);
-    EXPECT_GE(control.GetEstimatedError(), control.UsesCaches() ? cacheError : 0);
-    control.Calibrate(MakeScene(), maximum / 2, Voxel, probes);
+    EXPECT_GE(control.GetEstimatedError(), light.Error);
+    if (light.Method == vtkMediumPlan::MarchThenLookUp)
+    {
+      EXPECT_LE(row.Marched * light.Tolerance / Peak, maximum);
+      EXPECT_GE(light.Error, 0.005 * maximum * std::min(row.Marched, 1.0)) << "no waste";
+    }
+
     probes.Caches = vtkMediumStepControl::Always;
     control.Calibrate(MakeScene(), maximum, Voxel, probes);
-    EXPECT_TRUE(control.UsesCaches());
-    EXPECT_GE(control.GetEstimatedError(), cacheError) << "it says what always using them costs";
-    EXPECT_EQ(asked, 1) << "the caches' error is kept while content and lights are the same";
+    EXPECT_EQ(control.GetLight().Method, vtkMediumPlan::LookUp);
+    EXPECT_GE(control.GetEstimatedError(), row.LookUp) << "it says what always using them costs";
   }
+}
+
+//------------------------------------------------------------------------------
+TEST(StepControl, AsksForTheErrorOfLookUpsOnce)
+{
+  vtkMediumStepControl control;
+  int asked = 0;
+  const vtkMediumStepControl::Probes probes = Caches(0, 1, 0, asked);
+  control.Calibrate(MakeScene(), 1.0 / 255, Voxel, probes);
+  EXPECT_EQ(asked, 2) << "marched, and looked up";
+  control.Calibrate(MakeScene(), 0.5 / 255, Voxel, probes);
+  EXPECT_EQ(asked, 2) << "kept while content and lights are the same";
 }

@@ -24,7 +24,7 @@ EXPOSED_PEAK = 0.95
 #: Names as the mapper has them, SetOutputTo… and SetIntegratorTo….
 MODES = ("radiance", "first-hit", "distance", "transmittance", "optical-depth", "depth",
          "sample-count")
-INTEGRATORS = ("fixed-step", "paper", "error-controlled", "exact")
+INTEGRATORS = ("error-controlled", "fixed-step", "paper", "exact")
 
 
 def _number(low: float, high: float):
@@ -80,9 +80,9 @@ def _parser() -> argparse.ArgumentParser:
     add("--mode", choices=MODES, default=MODES[0],
         help="radiance, or as grey: the distance to the medium or through it, transmittance, "
         "optical depth, mean depth, work (%(default)s)")
-    add("--integrator", choices=INTEGRATORS, default=INTEGRATORS[0],
-        help="fixed-step for any medium; paper for what a threshold fills; "
-        "error-controlled chooses the step by itself; exact is slow (%(default)s)")
+    add("--integrator", choices=INTEGRATORS,
+        help="error-controlled chooses the step by itself; fixed-step takes --step; paper is for what "
+        "a threshold fills; exact is slow (error-controlled, or fixed-step where there is a --step)")
     add("--step", type=_number(0, sys.float_info.max), default=0.0, metavar="LENGTH",
         help="longest step along the eye and light rays (0: one voxel)")
     add("--threshold", type=float, metavar="SCALAR",
@@ -132,7 +132,8 @@ def _setter_name(option: str) -> str:
 def _mapper(options: argparse.Namespace, image: vtkImageData) -> vtkSingleScatteringVolumeMapper:
     mapper = vtkSingleScatteringVolumeMapper()
     mapper.SetInputData(image)
-    getattr(mapper, f"SetIntegratorTo{_setter_name(options.integrator)}")()
+    integrator = options.integrator or ("fixed-step" if options.step else "error-controlled")
+    getattr(mapper, f"SetIntegratorTo{_setter_name(integrator)}")()
     getattr(mapper, f"SetOutputTo{_setter_name(options.mode)}")()
     mapper.SetSampleDistance(options.step)
     mapper.SetLightSampleDistance(options.step)

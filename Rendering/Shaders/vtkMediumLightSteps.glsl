@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Midpoint marching along a light ray, LIGHT_TAPS steps at a time: several look-ups an iteration keep a
+// long march within the number of loop iterations that software renderers allow (see
+// vtkMediumPlan::Capabilities).
+
+// One of the LIGHT_TAPS look-ups of an iteration. Written out, not looped: Mesa does not unroll such a
+// loop inside another, and counts its iterations too.
+#if LIGHT_TAPS != 4
+#error "LIGHT_TAPS look-ups are written out below; change both"
+#endif
+#define LIGHT_STEPS_TAP(k)                                                                         \
+  part += contentExtinction(start + (float(i * LIGHT_TAPS + k) + 0.5) * width * along);
+
+// The sum of the extinctions in iteration `i`, for steps of `width`; start and along in box coordinates.
+SPECTRUM lightSteps(vec3 start, vec3 along, float width, int i)
+{
+  SPECTRUM part = SPECTRUM(0.0);
+  LIGHT_STEPS_TAP(0)
+  LIGHT_STEPS_TAP(1)
+  LIGHT_STEPS_TAP(2)
+  LIGHT_STEPS_TAP(3)
+  return part;
+}
+
+// The iterations for a ray: steps of at most lightStep.
+int lightStepsCount(float span)
+{
+  return int(ceil(span / (lightStep * float(LIGHT_TAPS))));
+}
