@@ -3,6 +3,7 @@
 #include "vtkMediumTextures.h"
 
 #include "vtkMediumFormulas.h"
+#include "vtkMediumPackedTexels.h"
 #include "vtkMediumTexels.h"
 
 #include "vtkMediumOpenGL.h"
@@ -72,17 +73,7 @@ bool vtkMediumTextures::UpdateField(FieldTexture& texture, const vtkMediumField&
     texture.Components == field.Components && texture.Dimensions == field.Dimensions;
   if (!kept)
   {
-    const std::vector<float> texels = vtkMediumTexels(field, this->NonFinite);
-    object->SetContext(this->Window);
-    object->SetWrapS(vtkTextureObject::ClampToEdge);
-    object->SetWrapT(vtkTextureObject::ClampToEdge);
-    object->SetWrapR(vtkTextureObject::ClampToEdge);
-    while (glGetError() != GL_NO_ERROR)
-    {
-    }
-    const bool created = object->Create3DFromRaw(field.Dimensions.x, field.Dimensions.y,
-      field.Dimensions.z, field.Components, VTK_FLOAT, const_cast<float*>(texels.data()));
-    if (!created || glGetError() != GL_NO_ERROR)
+    if (!this->UploadField(object, field))
     {
       object->ReleaseGraphicsResources(this->Window);
       return false;
@@ -92,12 +83,42 @@ bool vtkMediumTextures::UpdateField(FieldTexture& texture, const vtkMediumField&
     texture.FirstComponent = field.FirstComponent;
     texture.Components = field.Components;
     texture.Dimensions = field.Dimensions;
+    texture.Bytes = static_cast<vtkTypeInt64>(field.Dimensions.x) * field.Dimensions.y *
+      field.Dimensions.z * field.Components *
+      (vtkMediumPackingFactor(field) > 0 ? sizeof(std::uint16_t) : sizeof(float));
     ++this->Uploads;
   }
   const int filter = field.Linear ? vtkTextureObject::Linear : vtkTextureObject::Nearest;
   object->SetMinificationFilter(filter);
   object->SetMagnificationFilter(filter);
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkMediumTextures::UploadField(vtkTextureObject* texture, const vtkMediumField& field)
+{
+  texture->SetContext(this->Window);
+  texture->SetWrapS(vtkTextureObject::ClampToEdge);
+  texture->SetWrapT(vtkTextureObject::ClampToEdge);
+  texture->SetWrapR(vtkTextureObject::ClampToEdge);
+  texture->ResetFormatAndType(); // it may have held another field
+  while (glGetError() != GL_NO_ERROR)
+  {
+  }
+  auto create = [&](int type, void* texels) {
+    return texture->Create3DFromRaw(field.Dimensions.x, field.Dimensions.y, field.Dimensions.z,
+             field.Components, type, texels) &&
+      glGetError() == GL_NO_ERROR;
+  };
+  if (vtkMediumPackingFactor(field) > 0)
+  {
+    static const unsigned int formats[5] = { 0, GL_R16, GL_RG16, GL_RGB16, GL_RGBA16 };
+    texture->SetInternalFormat(formats[field.Components]);
+    std::vector<std::uint16_t> texels = vtkMediumPackedTexels(field);
+    return create(VTK_UNSIGNED_SHORT, texels.data());
+  }
+  std::vector<float> texels = vtkMediumTexels(field, this->NonFinite);
+  return create(VTK_FLOAT, texels.data());
 }
 
 //------------------------------------------------------------------------------
@@ -219,6 +240,8 @@ void vtkMediumTextures::Activate(vtkShaderProgram* program, const vtkMediumPlan&
     const glm::vec3 bias((first + 0.5) / size);
     program->SetUniform3f(Indexed("fieldScale", i).c_str(), &scale[0]);
     program->SetUniform3f(Indexed("fieldBias", i).c_str(), &bias[0]);
+    program->SetUniformf(
+      Indexed("fieldTexelScale", i).c_str(), static_cast<float>(vtkMediumTexelScale(field)));
     program->SetUniformf(Indexed("fieldMinimum", i).c_str(), static_cast<float>(field.Minimum));
     program->SetUniformf(
       Indexed("fieldRange", i).c_str(), static_cast<float>(field.Maximum - field.Minimum));
@@ -267,14 +290,14 @@ vtkTypeInt64 vtkMediumTextures::GetBytes() const
 {
   vtkTypeInt64 floats =
     JitterSize * JitterSize + this->LightTexels.size() + this->PhaseTexels.size();
+  vtkTypeInt64 bytes = 0;
   for (const auto& field : this->Fields)
   {
-    const glm::ivec3& size = field->Dimensions;
-    floats += static_cast<vtkTypeInt64>(size.x) * size.y * size.z * field->Components;
+    bytes += field->Bytes;
   }
   for (const vtkMediumFunction& function : this->Functions)
   {
     floats += 2 * 4 * function.GetSamples().size();
   }
-  return floats * sizeof(float);
+  return bytes + floats * sizeof(float);
 }

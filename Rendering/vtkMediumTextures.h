@@ -52,10 +52,12 @@ private:
     int FirstComponent = 0;
     int Components = 0;
     glm::ivec3 Dimensions{ 0 };
+    vtkTypeInt64 Bytes = 0;
     vtkNew<vtkTextureObject> Texture;
   };
 
   bool UpdateField(FieldTexture& texture, const vtkMediumField& field);
+  bool UploadField(vtkTextureObject* texture, const vtkMediumField& field);
   void UpdateFunctions(const std::vector<vtkMediumFunction>& functions);
   void UpdateLights(const std::vector<vtkMediumScene::Light>& lights);
   void UpdatePhase(const std::vector<double>& table);

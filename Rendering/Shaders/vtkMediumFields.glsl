@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The arrays of the input as 3D textures, each scaled to 0...1 over its range.
+// The arrays of the input as 3D textures. A texel is scaled to 0...1 over the array's range.
 
 #if FIELD_COUNT > 0
 uniform sampler3D fields[FIELD_COUNT];
 uniform vec3 fieldScale[FIELD_COUNT]; // box to texture coordinates
 uniform vec3 fieldBias[FIELD_COUNT];
+uniform float fieldTexelScale[FIELD_COUNT]; // the texture's value to that
 uniform float fieldMinimum[FIELD_COUNT]; // the value of a texel of 0
 uniform float fieldRange[FIELD_COUNT];   // the value of a texel of 1, less that
 
@@ -35,6 +36,7 @@ vec4 fieldInterpolate(sampler3D field, vec3 coordinate)
 
 // Macros, because GLSL 1.50 wants the number of a texture to be a constant.
 #define fieldTexel(number, box)                                                                    \
-  fieldInterpolate(fields[number], (box) * fieldScale[number] + fieldBias[number])
+  (fieldInterpolate(fields[number], (box) * fieldScale[number] + fieldBias[number]) *              \
+    fieldTexelScale[number])
 #define fieldValue(number, box) (fieldTexel(number, box) * fieldRange[number] + fieldMinimum[number])
 #endif

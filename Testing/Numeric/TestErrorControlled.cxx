@@ -145,3 +145,24 @@ TEST(ErrorControlled, DensityScaleKeepsTheCaches)
   EXPECT_LE(errors.Largest, Step8Bit);
   EXPECT_EQ(scene.Mapper->GetStatistics()->GetLightCacheBuilds(), builds);
 }
+
+// 16 bits of data and 16 of a light's shadow; the rest, tables and images, is small beside them.
+TEST(ErrorControlled, TakesFourBytesAVoxelForShortsAndOneLight)
+{
+  const int points = 96;
+  Scene scene(MakeImage(
+                glm::ivec3(points), glm::dvec3(1),
+                [](const glm::dvec3& p) { return std::round(1000 * std::exp(-glm::dot(p, p))); },
+                false, VTK_SHORT),
+    32);
+  scene.Mapper->SetIntegratorToErrorControlled();
+  scene.Medium->SetExtinctionArrayName("");
+  scene.Medium->SetExtinctionScale(0.004);
+  scene.AddBeam({ 1, -0.8, -0.2 });
+  ASSERT_TRUE(scene.Render().IsLight());
+  vtkMediumStatistics* done = scene.Mapper->GetStatistics();
+  EXPECT_EQ(done->GetLightMethod(), vtkMediumStatistics::LightLookedUp);
+  const double bytes = static_cast<double>(done->GetGPUBytes()) / std::pow(points, 3);
+  EXPECT_GE(bytes, 4);
+  EXPECT_LE(bytes, 6);
+}

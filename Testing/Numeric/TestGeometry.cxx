@@ -283,7 +283,7 @@ TEST(Geometry, ScalarTypesDoNotMatter)
       reference = picture;
       EXPECT_GT(reference.Mean(3), 0.1);
     }
-    // All are uploaded as float fractions of the same range.
+    // Whole numbers of 16 bits are uploaded as such, others as float fractions of the range.
     EXPECT_LT(Difference(reference, picture), 1e-6) << "type " << type;
   }
 }
