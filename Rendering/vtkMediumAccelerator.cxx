@@ -187,6 +187,7 @@ void vtkMediumAccelerator::Activate(vtkShaderProgram* program, const vtkMediumPl
   const glm::vec3 bias((this->Grid.GetLower() + 0.5) / size);
   program->SetUniform3f("lightCacheScale", &scale[0]);
   program->SetUniform3f("lightCacheBias", &bias[0]);
+  program->SetUniformi("lightLookUpEvery", plan.LightLookUpEvery);
   program->SetUniformf("lightTolerance", static_cast<float>(plan.LightTolerance));
 }
 

@@ -32,7 +32,8 @@ void Prefilter(const float* center, const float* below, const float* above, cons
 {
   for (int x = 0; x < n; ++x)
   {
-    const float left = center[std::max(x - 1, 0)], right = center[std::min(x + 1, n - 1)];
+    const bool face = x == 0 || x == n - 1;
+    const float left = center[face ? x : x - 1], right = center[face ? x : x + 1];
     target[x] = center[x] -
       (left + right + below[x] + above[x] + front[x] + back[x] - 6 * center[x]) * (1.0f / 12);
   }
@@ -45,7 +46,8 @@ void FindRoughness(const float* center, const float* below, const float* above, 
 {
   for (int x = 0; x < n; ++x)
   {
-    const float left = center[std::max(x - 1, 0)], right = center[std::min(x + 1, n - 1)];
+    const bool face = x == 0 || x == n - 1;
+    const float left = center[face ? x : x - 1], right = center[face ? x : x + 1];
     const float twice = 2 * center[x];
     target[x] = (std::abs(left + right - twice) + std::abs(below[x] + above[x] - twice) +
                   std::abs(front[x] + back[x] - twice)) *
@@ -113,25 +115,26 @@ void vtkMediumLightCache::FilterSlices(
   for (int z = begin; z < end; ++z)
   {
     auto row = [&](int y, int k) {
-      return transmittance.data() +
-        std::min(std::max(y, 0), n.y - 1) * static_cast<std::size_t>(n.x) +
-        (std::min(std::max(k, first), last - 1) - first) * slice;
+      return transmittance.data() + y * static_cast<std::size_t>(n.x) + (k - first) * slice;
     };
+    // On the lattice's faces nothing is known of the second difference across them; it counts as 0.
+    const int acrossZ = z == 0 || z == n.z - 1 ? 0 : 1;
     for (int y = 0; y < n.y; ++y)
     {
       float* result = target + (z - begin) * slice + y * static_cast<std::size_t>(n.x);
+      const int acrossY = y == 0 || y == n.y - 1 ? 0 : 1;
       switch (filter)
       {
         case Plain:
           std::copy(row(y, z), row(y, z) + n.x, result);
           break;
         case Prefiltered:
-          Prefilter(
-            row(y, z), row(y - 1, z), row(y + 1, z), row(y, z - 1), row(y, z + 1), n.x, result);
+          Prefilter(row(y, z), row(y - acrossY, z), row(y + acrossY, z), row(y, z - acrossZ),
+            row(y, z + acrossZ), n.x, result);
           break;
         case Roughness:
-          FindRoughness(
-            row(y, z), row(y - 1, z), row(y + 1, z), row(y, z - 1), row(y, z + 1), n.x, result);
+          FindRoughness(row(y, z), row(y - acrossY, z), row(y + acrossY, z), row(y, z - acrossZ),
+            row(y, z + acrossZ), n.x, result);
           MarkUnknown(
             this->Depths.data() + z * slice + y * static_cast<std::size_t>(n.x), n.x, result);
           break;

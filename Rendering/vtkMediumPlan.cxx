@@ -142,6 +142,21 @@ void vtkMediumPlan::ChooseSteps(const vtkMediumScene& scene, const Settings& set
 }
 
 //------------------------------------------------------------------------------
+// Of the loops of one light ray, at most.
+int vtkMediumPlan::CountLightIterations(bool paper) const
+{
+  if (this->CachedLights > 0 && !this->CacheRoughness)
+  {
+    return 1;
+  }
+  const int steps = paper ? 1 : LightTapsPerIteration; // an iteration
+  const int iterations = static_cast<int>(std::ceil(1 / (this->LightStep * steps)));
+  // A loop from look-up to look-up inside of another.
+  return 4 + iterations +
+    (this->CacheRoughness ? 4 * (iterations / this->LightLookUpEvery + 1) : 0);
+}
+
+//------------------------------------------------------------------------------
 void vtkMediumPlan::SplitIntoPasses(
   const vtkMediumScene& scene, const Settings& settings, const Capabilities& device)
 {
@@ -150,11 +165,7 @@ void vtkMediumPlan::SplitIntoPasses(
   // surface, which at worst doubles its steps. Binary searches are written out and loop nowhere. Mesa
   // counts one or two iterations more for a loop than it makes, hence the fours.
   const int eyeSteps = static_cast<int>(std::ceil((paper ? 2 : 1) / this->EyeStep)) + 2;
-  const bool lookUp = this->CachedLights > 0 && !this->CacheRoughness;
-  const int lightIterations = lookUp ? 1
-                                     : 4 +
-      static_cast<int>(
-        std::ceil(paper ? 1 / this->LightStep : 1 / (this->LightStep * LightTapsPerIteration)));
+  const int lightIterations = this->CountLightIterations(paper);
   const int eyeIterations = 4;
 
   const int lights = this->Lit ? static_cast<int>(scene.Lights.size()) : 0;
@@ -170,36 +181,6 @@ void vtkMediumPlan::SplitIntoPasses(
     {
       this->Passes.push_back({ first, last, step, std::min(step + steps, eyeSteps) });
     }
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkMediumPlan::PlanErrorControlled(const vtkMediumScene& scene, const Settings& settings)
-{
-  this->UseBricks = true;
-  const double voxel = scene.Geometry.VoxelLength / scene.Geometry.Length;
-  this->EyeStep = settings.ControlledStep > 0 ? settings.ControlledStep : voxel;
-  this->LightStep = settings.ControlledLightStep > 0 ? settings.ControlledLightStep : this->EyeStep;
-
-  // A cache holds one grey optical depth for each lattice point, looked up trilinearly.
-  vtkTypeInt64 voxels = 0;
-  bool linear = !this->Fields.empty();
-  for (const vtkMediumField& field : this->Fields)
-  {
-    linear = linear && field.Linear;
-    const glm::ivec3& size = field.Dimensions;
-    voxels = std::max(voxels, static_cast<vtkTypeInt64>(size.x) * size.y * size.z);
-  }
-  const int lights = static_cast<int>(scene.Lights.size());
-  const bool rough = settings.LightMethod == MarchThenLookUp;
-  const vtkTypeInt64 bytes = (rough ? 4 : 2) * voxels * lights;
-  if (settings.LightMethod != March && this->Lit && linear && !scene.Content.ChromaticExtinction &&
-    lights <= (rough ? MostCachedLights / 2 : MostCachedLights) &&
-    bytes <= settings.LightCacheBytes)
-  {
-    this->CachedLights = lights;
-    this->CacheRoughness = rough;
-    this->LightTolerance = settings.LightTolerance;
   }
 }
 

@@ -44,8 +44,7 @@ public:
     double DepthTransmittance = 0.5;
     double MaximumError = 1.0 / 255;
     LightMethods LightMethod = LookUp; ///< ErrorControlled
-    double LightTolerance =
-      0; ///< MarchThenLookUp: radiance per local unit that look-ups may err by
+    double LightTolerance = 0; ///< MarchThenLookUp: radiance a local unit that look-ups may err by
     double ControlledLightStep = 0; ///< ErrorControlled: of marched light rays; 0: the eye's
     double ControlledStep =
       0; ///< ErrorControlled: the step that was found, local units; 0: a voxel
@@ -96,6 +95,8 @@ public:
   static constexpr double ExactTolerance = 4e-6;
   /// Exact: parts of a cell in which a field counts as linear where a function maps it.
   static constexpr int ExactParts = 3;
+  /// From look-up to look-up of a light ray that is marched until its cache is accurate enough, voxels.
+  static constexpr double LookUpSpacing = 2;
   /// Look-ups in one iteration of a light ray's loop.
   static constexpr int LightTapsPerIteration = 4;
 
@@ -108,10 +109,11 @@ public:
   int CachedLights = 0; ///< the first so many lights have a light cache; 0: light rays are marched
   bool CacheRoughness = false; ///< light rays are marched until their cache is accurate enough
   double LightTolerance =
-    0;                  ///< with CacheRoughness: radiance per local unit that look-ups may err by
-  bool Lit = false;     ///< light rays are marched: there is light, and something scatters it
-  double EyeStep = 0;   ///< local units
-  double LightStep = 0; ///< local units
+    0;                      ///< with CacheRoughness: radiance a local unit that look-ups may err by
+  int LightLookUpEvery = 1; ///< with CacheRoughness: iterations from look-up to look-up
+  bool Lit = false;         ///< light rays are marched: there is light, and something scatters it
+  double EyeStep = 0;       ///< local units
+  double LightStep = 0;     ///< local units
   double TransmittanceThreshold = 0;
   double DepthTransmittance = 0;
   double Jitter = 0;         ///< Paper: fraction of a step
@@ -151,6 +153,7 @@ private:
   void PlanErrorControlled(const vtkMediumScene&, const Settings&);
   void PlanExact(const vtkMediumScene&, const Capabilities&);
   std::string OutputDefines(const Settings&) const;
+  int CountLightIterations(bool paper) const;
   void SplitIntoPasses(const vtkMediumScene&, const Settings&, const Capabilities&);
   void ChooseProgram(const vtkMediumScene&, const Settings&, const Capabilities&);
   void ChooseShaderFiles(int integrator);

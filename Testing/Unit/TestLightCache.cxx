@@ -35,6 +35,40 @@ TEST(LightCache, PrefilteringCentresTheErrorOfTrilinearLookups)
 }
 
 //------------------------------------------------------------------------------
+// On the faces of the lattice there is no second difference across them, and the first is none.
+TEST(LightCache, FiltersFacesAsTheInside)
+{
+  const vtkMediumExtinctionGrid grid = MakeGrid(Smooth);
+  vtkMediumLightCache cache;
+  cache.Build(grid, MakeDirectional({ 1, -0.4, 0.7 }));
+  const std::vector<float> plain = cache.GetTransmittance(1, false);
+  const std::vector<float> filtered = cache.GetTransmittance(1, true);
+  const std::vector<float> roughness = cache.GetRoughness(1);
+  double inside[2] = { 0, 0 }, faces[2] = { 0, 0 };
+  for (int k = 0; k < Points.z; ++k)
+  {
+    for (int j = 0; j < Points.y; ++j)
+    {
+      for (int i = 0; i < Points.x; ++i)
+      {
+        const bool face =
+          i % (Points.x - 1) == 0 || j % (Points.y - 1) == 0 || k % (Points.z - 1) == 0;
+        const std::size_t index = grid.GetIndex(i, j, k);
+        if (cache.GetOpticalDepths()[index] < 0)
+        {
+          continue; // not needed, and so not known
+        }
+        double* largest = face ? faces : inside;
+        largest[0] = std::max(largest[0], std::abs(double(filtered[index]) - plain[index]));
+        largest[1] = std::max(largest[1], double(roughness[index]));
+      }
+    }
+  }
+  EXPECT_LE(faces[0], inside[0]);
+  EXPECT_LE(faces[1], inside[1]);
+}
+
+//------------------------------------------------------------------------------
 TEST(LightCache, PacksTheTransmittanceOfTheScaledDensity)
 {
   const vtkMediumExtinctionGrid grid = MakeGrid(Cloud);

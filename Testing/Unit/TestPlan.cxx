@@ -137,6 +137,15 @@ TEST(Plan, MarchesToCachesThatSayHowRoughTheyAre)
   EXPECT_EQ(rough.LightTolerance, 0.25);
   EXPECT_EQ(rough.GetLightsPerTexture(), 2);
   EXPECT_GE(rough.Passes.size(), plain.Passes.size()) << "light rays may reach their ends";
+  for (double voxels : { 4.0, 0.5, 0.1 })
+  {
+    settings.ControlledStep = voxels * scene.Geometry.VoxelLength / scene.Geometry.Length;
+    const vtkMediumPlan steps(scene, settings, Device());
+    const double spacing = voxels * vtkMediumPlan::LightTapsPerIteration * steps.LightLookUpEvery;
+    EXPECT_GE(spacing, 0.75 * vtkMediumPlan::LookUpSpacing)
+      << "look-ups do not crowd in short steps";
+  }
+  settings.ControlledStep = 0;
 
   scene.Lights.resize(vtkMediumPlan::MostCachedLights / 2 + 1, scene.Lights[0]);
   EXPECT_EQ(vtkMediumPlan(scene, settings, Device()).CachedLights, 0) << "no texture is left";

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
+// SPDX-License-Identifier: BSD-3-Clause
+// What ErrorControlled asks of a scene: bricks, steps that were found, and light caches where they serve.
+#include "vtkMediumPlan.h"
+
+#include <algorithm>
+
+//------------------------------------------------------------------------------
+void vtkMediumPlan::PlanErrorControlled(const vtkMediumScene& scene, const Settings& settings)
+{
+  this->UseBricks = true;
+  const double voxel = scene.Geometry.VoxelLength / scene.Geometry.Length;
+  this->EyeStep = settings.ControlledStep > 0 ? settings.ControlledStep : voxel;
+  this->LightStep = settings.ControlledLightStep > 0 ? settings.ControlledLightStep : this->EyeStep;
+
+  // A cache holds one grey optical depth for each lattice point, looked up trilinearly.
+  vtkTypeInt64 voxels = 0;
+  bool linear = !this->Fields.empty();
+  for (const vtkMediumField& field : this->Fields)
+  {
+    linear = linear && field.Linear;
+    const glm::ivec3& size = field.Dimensions;
+    voxels = std::max(voxels, static_cast<vtkTypeInt64>(size.x) * size.y * size.z);
+  }
+  const int lights = static_cast<int>(scene.Lights.size());
+  const bool rough = settings.LightMethod == MarchThenLookUp;
+  const vtkTypeInt64 bytes = (rough ? 4 : 2) * voxels * lights;
+  if (settings.LightMethod != March && this->Lit && linear && !scene.Content.ChromaticExtinction &&
+    lights <= (rough ? MostCachedLights / 2 : MostCachedLights) &&
+    bytes <= settings.LightCacheBytes)
+  {
+    this->CachedLights = lights;
+    this->CacheRoughness = rough;
+    this->LightTolerance = settings.LightTolerance;
+    this->LightLookUpEvery = std::max(
+      1, static_cast<int>(LookUpSpacing * voxel / (LightTapsPerIteration * this->LightStep) + 0.5));
+  }
+}
