@@ -88,9 +88,13 @@ bool vtkMediumAccelerator::UpdateCaches(const vtkMediumScene& scene, const vtkMe
     for (int number = lights.x; number < lights.y; ++number)
     {
       std::unique_ptr<CachedLight>& light = this->Lights[number];
-      if (!light || !vtkMediumLightCache::HaveSamePose(light->Pose, scene.Lights[number]))
+      const bool same =
+        light && vtkMediumLightCache::HaveSamePose(light->Pose, scene.Lights[number]);
+      if (!same || (light->Quick && !plan.QuickCaches))
       {
         light.reset(new CachedLight);
+        light->Cache.SetSlabs(plan.QuickCaches);
+        light->Quick = plan.QuickCaches;
         light->Cache.Build(this->Grid, scene.Lights[number]);
         light->Pose = scene.Lights[number];
         ++this->LightCacheBuilds;

@@ -60,6 +60,7 @@ private:
   {
     vtkMediumLightCache Cache;
     vtkMediumScene::Light Pose;
+    bool Quick = false; ///< built by slabs, to be built anew when there is time
   };
 
   void UpdateGrid(const vtkMediumScene& scene);

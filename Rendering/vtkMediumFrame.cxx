@@ -52,7 +52,8 @@ std::string vtkMediumFrame::Begin(
   this->UsedTargets = carry ? Targets : Targets - 1;
   this->UsedSets = carry ? 2 : 1;
   this->Result = 0;
-  const unsigned int width = viewport.Size.x, height = viewport.Size.y;
+  const unsigned int width = viewport.GetRays().x, height = viewport.GetRays().y;
+  const int filter = viewport.PixelEdge > 1 ? vtkTextureObject::Linear : vtkTextureObject::Nearest;
   for (int set = 0; set < this->UsedSets; ++set)
   {
     for (int target = 0; target < this->UsedTargets; ++target)
@@ -71,6 +72,7 @@ std::string vtkMediumFrame::Begin(
           return text.str();
         }
       }
+      texture->SetMagnificationFilter(filter);
     }
   }
   copyDepth ? this->Depth.Capture(window, viewport.Origin, viewport.Size)
@@ -115,7 +117,7 @@ void vtkMediumFrame::SetFrameUniforms(
   SetUniform(program, "lightStep", plan.LightStep);
   SetUniform(program, "transmittanceThreshold", plan.TransmittanceThreshold);
   SetUniform(program, "depthTransmittance", plan.DepthTransmittance);
-  SetUniform(program, "viewportSize", this->View.Size);
+  SetUniform(program, "viewportSize", this->View.GetRays());
   // Rays start near the volume, not at the eye, for a float is coarse far from the local origin.
   const double slope = glm::dot(glm::dvec3(eye.ClipW), eye.Direction);
   const double reach = eye.Parallel ? 0.0 : std::max(eye.ClipW.w / slope, 0.0);
@@ -163,6 +165,7 @@ void vtkMediumFrame::SetContentUniforms(
 bool vtkMediumFrame::Integrate(vtkMediumProgram& programs, vtkMediumTextures& textures,
   vtkMediumAccelerator& accelerator, const vtkMediumScene& scene, const vtkMediumPlan& plan)
 {
+  const glm::ivec2 rays = this->View.GetRays();
   vtkOpenGLState* state = this->Window->GetState();
   vtkShaderProgram* program = programs.Use(this->Window, plan.ShaderFiles, plan.ShaderDefines);
   if (!program)
@@ -183,7 +186,7 @@ bool vtkMediumFrame::Integrate(vtkMediumProgram& programs, vtkMediumTextures& te
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglDepthMask(GL_FALSE);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  state->vtkglViewport(0, 0, this->View.Size.x, this->View.Size.y);
+  state->vtkglViewport(0, 0, rays.x, rays.y);
 
   this->Draws = 0;
   state->PushFramebufferBindings();
@@ -192,10 +195,10 @@ bool vtkMediumFrame::Integrate(vtkMediumProgram& programs, vtkMediumTextures& te
   {
     this->ClearTargets(set);
   }
-  glm::ivec4 seen = vtkMediumPlan::FindScissor(scene.Eye, scene.Geometry, this->View.Size);
+  glm::ivec4 seen = vtkMediumPlan::FindScissor(scene.Eye, scene.Geometry, rays);
   if (plan.UseBricks)
   {
-    accelerator.ProjectTiles(scene, this->View.Size);
+    accelerator.ProjectTiles(scene, rays);
     seen = accelerator.GetScissor();
   }
   if (seen.z > 0 && seen.w > 0)
@@ -330,7 +333,8 @@ std::vector<float> vtkMediumFrame::Download(int target)
 //------------------------------------------------------------------------------
 vtkTypeInt64 vtkMediumFrame::GetBytes() const
 {
-  const vtkTypeInt64 pixels = static_cast<vtkTypeInt64>(this->View.Size.x) * this->View.Size.y;
+  const glm::ivec2 rays = this->View.GetRays();
+  const vtkTypeInt64 pixels = static_cast<vtkTypeInt64>(rays.x) * rays.y;
   const vtkTypeInt64 targets = this->UsedSets * this->UsedTargets;
   return pixels * targets * 4 * static_cast<vtkTypeInt64>(sizeof(float)) + this->Depth.GetBytes();
 }

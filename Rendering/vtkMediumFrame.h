@@ -21,7 +21,10 @@
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkTextureObject.h"
 
+#include <glm/common.hpp>
+#include <glm/vec2.hpp>
 #include <string>
+
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -45,6 +48,13 @@ public:
     glm::ivec2 Origin{ 0 };
     glm::ivec2 Size{ 0 };
     glm::ivec2 FirstPixel{ 0 }; ///< in the whole viewport, of which a tiled window shows a part
+    double PixelEdge = 1;       ///< pixels of the window that share a ray, along each axis
+
+    /// The rays of the integrated frame, at most PixelEdge pixels apart.
+    glm::ivec2 GetRays() const
+    {
+      return glm::ivec2(glm::ceil(glm::dvec2(this->Size) / this->PixelEdge));
+    }
   };
 
   /// How the shown frame is made of the integrated one; see Shaders/vtkMediumDisplay.glsl.
@@ -78,7 +88,7 @@ public:
   /// program does not compile.
   bool Show(vtkMediumProgram& programs, const Shown& shown, vtkMediumFrame& coarser);
 
-  /// The integrated targets, four floats a pixel, first row at the bottom; empty before any frame.
+  /// The integrated targets, four floats a ray, first row at the bottom; empty before any frame.
   std::vector<float> DownloadRadiance() { return this->Download(0); }
   std::vector<float> DownloadHits() { return this->Download(1); }
   const Viewport& GetViewport() const { return this->View; }

@@ -45,6 +45,7 @@ public:
     double MaximumError = 1.0 / 255;
     LightMethods LightMethod = LookUp; ///< ErrorControlled
     double LightTolerance = 0; ///< MarchThenLookUp: radiance a local unit that look-ups may err by
+    bool Hurried = false; ///< ErrorControlled: light caches are built quickly rather than exactly
     double ControlledLightStep = 0; ///< ErrorControlled: of marched light rays; 0: the eye's
     double ControlledStep =
       0; ///< ErrorControlled: the step that was found, local units; 0: a voxel
@@ -107,6 +108,7 @@ public:
 
   bool UseBricks = false; ///< eye rays keep to the tiles that bricks were projected to
   int CachedLights = 0; ///< the first so many lights have a light cache; 0: light rays are marched
+  bool QuickCaches = false;    ///< light caches are built quickly rather than exactly
   bool CacheRoughness = false; ///< light rays are marched until their cache is accurate enough
   double LightTolerance =
     0;                      ///< with CacheRoughness: radiance a local unit that look-ups may err by

@@ -30,6 +30,7 @@ void vtkMediumPlan::PlanErrorControlled(const vtkMediumScene& scene, const Setti
     bytes <= settings.LightCacheBytes)
   {
     this->CachedLights = lights;
+    this->QuickCaches = settings.Hurried;
     this->CacheRoughness = rough;
     this->LightTolerance = settings.LightTolerance;
     this->LightLookUpEvery = std::max(

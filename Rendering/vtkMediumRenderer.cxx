@@ -90,6 +90,9 @@ std::string vtkMediumRenderer::Draw(const Request& request, vtkMediumStatistics*
   }
   statistics->GatherMilliseconds = watch.Lap();
   vtkMediumPlan::Settings settings = request.Settings;
+  const glm::dvec2 pixels(FindViewport(request.Renderer).Size);
+  this->Economy = draft.UseBricks ? this->Budget.Plan(request.Seconds, pixels.x * pixels.y)
+                                  : vtkMediumFrameBudget::Economy();
   refusal = this->Prepare(request, device, draft, settings, statistics);
   if (!refusal.empty())
   {
@@ -105,6 +108,11 @@ std::string vtkMediumRenderer::Draw(const Request& request, vtkMediumStatistics*
   if (refusal.empty())
   {
     this->CountWork(plan, statistics);
+  }
+  if (refusal.empty() && this->Economy.Hurried)
+  {
+    this->Budget.Learn(
+      this->Economy, pixels.x * pixels.y, 1e-3 * statistics->IntegrateMilliseconds);
   }
   return refusal;
 }
@@ -134,6 +142,18 @@ std::string vtkMediumRenderer::Prepare(const Request& request,
     const vtkMediumPlan plan(this->Scene, settings, device);
     return this->Accelerator.Update(this->Window, this->Scene, plan);
   };
+  if (this->Economy.Hurried)
+  {
+    const double voxel = this->Scene.Geometry.VoxelLength / this->Scene.Geometry.Length;
+    const double found = this->StepControl.GetStep();
+    settings.ControlledStep = this->Economy.StepFactor * (found > 0 ? found : voxel);
+    settings.Hurried = true;
+    const vtkMediumPlan plan(this->Scene, settings, device);
+    refusal = this->Accelerator.Update(this->Window, this->Scene, plan);
+    statistics->BuildMilliseconds = watch.Lap();
+    statistics->CalibrateMilliseconds = 0;
+    return refusal;
+  }
   const bool calibrated = this->StepControl.IsCalibrated(this->Scene, request.MaximumError, caches);
   refusal = calibrated ? useFound() : this->Accelerator.Update(this->Window, this->Scene, draft);
   statistics->BuildMilliseconds = watch.Lap();
@@ -279,7 +299,8 @@ std::string vtkMediumRenderer::Integrate(vtkMediumFrame& frame, const vtkMediumP
 //------------------------------------------------------------------------------
 std::string vtkMediumRenderer::DrawFrame(const Request& request, const vtkMediumPlan& plan)
 {
-  const vtkMediumFrame::Viewport viewport = FindViewport(request.Renderer);
+  vtkMediumFrame::Viewport viewport = FindViewport(request.Renderer);
+  viewport.PixelEdge = std::max(request.PixelEdge, double(this->Economy.PixelEdge));
   if (viewport.Size.x < 1 || viewport.Size.y < 1)
   {
     return {}; // a viewport without pixels shows nothing
@@ -312,6 +333,7 @@ void vtkMediumRenderer::CountWork(const vtkMediumPlan& plan, vtkMediumStatistics
 {
   ++statistics->Frames;
   statistics->Passes = this->Frame.GetDraws();
+  statistics->PixelEdge = this->Frame.GetViewport().PixelEdge;
   statistics->LightMethod = plan.CachedLights == 0 ? vtkMediumStatistics::LightMarched
     : plan.CacheRoughness                          ? vtkMediumStatistics::LightMarchedToItsCache
                                                    : vtkMediumStatistics::LightLookedUp;

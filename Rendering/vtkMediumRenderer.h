@@ -12,6 +12,7 @@
 #include "vtkMediumAccelerator.h"
 #include "vtkMediumCompatibility.h"
 #include "vtkMediumFrame.h"
+#include "vtkMediumFrameBudget.h"
 #include "vtkMediumPlan.h"
 #include "vtkMediumProgram.h"
 #include "vtkMediumScene.h"
@@ -50,6 +51,8 @@ public:
     vtkMediumScene::Phases Phase = vtkMediumScene::HenyeyGreenstein; ///< of the property
     double MaximumError = 0;                                         ///< ErrorControlled
     bool AlwaysCache = false; ///< ErrorControlled: light caches whatever their error
+    double PixelEdge = 1;     ///< pixels of the window that share a ray, along each axis
+    double Seconds = 1e9;     ///< ErrorControlled: the time that the window has for this frame
     bool Show = true;         ///< in the window
     vtkMediumPlan::Settings Settings;
   };
@@ -64,7 +67,11 @@ public:
   vtkMediumFrame& GetCoarserFrame() { return this->Probe; }
   const vtkMediumScene& GetScene() const { return this->Scene; }
   int GetOutput() const { return this->Output; }
-  double GetEstimatedError() const { return this->StepControl.GetEstimatedError(); }
+  /// Of the last ErrorControlled frame; -1 if it was hurried, and its error nobody's guess.
+  double GetEstimatedError() const
+  {
+    return this->Economy.Hurried ? -1 : this->StepControl.GetEstimatedError();
+  }
   /// Values that were NaN or infinite in the fields that the last Draw uploaded.
   vtkTypeInt64 GetNonFinite() const { return this->Textures.GetNonFinite(); }
 
@@ -94,6 +101,8 @@ private:
   vtkMediumAccelerator Accelerator;
   vtkMediumProgram Programs;
   vtkMediumStepControl StepControl;
+  vtkMediumFrameBudget Budget;
+  vtkMediumFrameBudget::Economy Economy; ///< of the last frame
   vtkMediumFrame Probe;
   vtkMediumFrame Frame;
   int Output = 0;

@@ -39,6 +39,9 @@ public:
   vtkGetMacro(Passes, vtkTypeInt64);
   ///@}
 
+  /// Of the last frame: pixels of the window that shared an eye ray, along each axis.
+  vtkGetMacro(PixelEdge, double);
+
   /// How the last frame found the transmittance to a light.
   enum LightMethods
   {
@@ -95,6 +98,7 @@ private:
   vtkTypeInt64 Rays = 0;
   vtkTypeInt64 Passes = 0;
   int LightMethod = LightMarched;
+  double PixelEdge = 1;
   double GatherMilliseconds = 0;
   double UploadMilliseconds = 0;
   double BuildMilliseconds = 0;

@@ -93,6 +93,9 @@ std::string vtkSingleScatteringVolumeMapper::Draw(vtkRenderer* renderer, vtkVolu
   settings.MaximumError = this->MaximumError;
   settings.LightMethod =
     this->LightCaches == CachesNever ? vtkMediumPlan::March : vtkMediumPlan::LookUp;
+  request.PixelEdge = this->ImageSampleDistance;
+  request.Seconds =
+    this->AutoAdjustSampleDistances ? volume->GetAllocatedRenderTime() : VTK_DOUBLE_MAX;
   request.AlwaysCache = this->LightCaches == CachesAlways;
 
   const std::string problem = this->Drawing->Draw(request, this->Statistics);
@@ -152,7 +155,7 @@ void vtkSingleScatteringVolumeMapper::GetColorImage(vtkImageData* image)
   const std::vector<float> pixels = output == ErrorEstimate
     ? vtkMediumImages::Errors(radiance, this->Drawing->GetCoarserFrame().DownloadRadiance(), hits)
     : vtkMediumImages::Values(radiance, hits, this->Drawing->GetScene(), output);
-  vtkMediumImages::Copy(pixels, 4, frame.GetViewport().Size, image);
+  vtkMediumImages::Copy(pixels, 4, frame.GetViewport().GetRays(), image);
 }
 
 //------------------------------------------------------------------------------
@@ -165,7 +168,7 @@ void vtkSingleScatteringVolumeMapper::GetDepthImage(vtkImageData* image)
     vtkErrorMacro(<< "There is no image yet; render a frame first.");
     return;
   }
-  const glm::ivec2 size = frame.GetViewport().Size;
+  const glm::ivec2 size = frame.GetViewport().GetRays();
   vtkMediumImages::Copy(
     vtkMediumImages::WindowDepths(hits, this->Drawing->GetScene().Eye, size), 1, size, image);
 }
@@ -229,6 +232,9 @@ void vtkSingleScatteringVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Integrator: " << this->Integrator << "\n";
   os << indent << "LightCaches: " << this->LightCaches << "\n";
   os << indent << "MaximumError: " << this->MaximumError << "\n";
+  os << indent << "AutoAdjustSampleDistances: " << (this->AutoAdjustSampleDistances ? "On" : "Off")
+     << "\n";
+  os << indent << "ImageSampleDistance: " << this->ImageSampleDistance << "\n";
   os << indent << "SampleDistance: " << this->SampleDistance << "\n";
   os << indent << "LightSampleDistance: " << this->LightSampleDistance << "\n";
   os << indent << "BinarySearchIterations: " << this->BinarySearchIterations << "\n";

@@ -167,8 +167,27 @@ public:
   void SetLightCachesToNever() { this->SetLightCaches(CachesNever); }
   ///@}
 
+  ///@{
+  /// ErrorControlled: whether a frame keeps to the time that the render window has for it
+  /// (vtkProp::GetAllocatedRenderTime) where that is less than a second, as while a user interacts with
+  /// it. Such a frame finds no step, looks light up in caches that are quickly built, takes steps up to
+  /// twice as long and lets up to 8 x 8 pixels share a ray; scattering stays on. The next frame at rest
+  /// is as accurate as ever. Default: on.
+  vtkSetMacro(AutoAdjustSampleDistances, bool);
+  vtkGetMacro(AutoAdjustSampleDistances, bool);
+  vtkBooleanMacro(AutoAdjustSampleDistances, bool);
+  ///@}
+
+  ///@{
+  /// Pixels of the window between eye rays, along each axis, 1 to 10; between them the picture is
+  /// interpolated, also across edges of opaque geometry, and float images have a value for each ray.
+  /// Default: 1.
+  vtkSetClampMacro(ImageSampleDistance, double, 1, 10);
+  vtkGetMacro(ImageSampleDistance, double);
+  ///@}
+
   /// The largest error that the last ErrorControlled frame was estimated to have, as a fraction of the
-  /// image's peak radiance; -1 in other integrators.
+  /// image's peak radiance; -1 in other integrators, and where the frame had to keep to a time.
   double GetEstimatedError();
 
   ///@{
@@ -303,6 +322,8 @@ private:
   int Integrator = ErrorControlled;
   double MaximumError = 1.0 / 255;
   int LightCaches = CachesWhereAccurate;
+  bool AutoAdjustSampleDistances = true;
+  double ImageSampleDistance = 1;
   double SampleDistance = 0;
   double LightSampleDistance = 0;
   int BinarySearchIterations = 5;

@@ -21,12 +21,12 @@ uniform float scale;   // ...and 1 / (the value shown as 1, less that)
 void main()
 {
   ivec2 pixel = ivec2(texCoord * vec2(textureSize(radiance, 0)));
-  vec4 light = texelFetch(radiance, pixel, 0);
   if (shown == SHOW_RADIANCE)
   {
-    gl_FragData[0] = light;
+    gl_FragData[0] = texture(radiance, texCoord); // between rays that are some pixels apart, too
     return;
   }
+  vec4 light = texelFetch(radiance, pixel, 0);
   vec4 hit = texelFetch(hits, pixel, 0);
   bool distances = shown == SHOW_FIRST_HIT || shown == SHOW_DISTANCE;
   if (hit.w == 0.0 || (distances && hit.x <= -1.0e30)) // vtkMediumFrame::NoHit

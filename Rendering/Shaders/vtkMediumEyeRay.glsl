@@ -5,7 +5,7 @@
 // any projection, perspective or parallel, on or off axis.
 
 in vec2 texCoord;          // 0...1 over the viewport
-uniform vec2 viewportSize; // pixels
+uniform vec2 viewportSize; // rays
 uniform vec3 eyeOrigin, eyeOriginX, eyeOriginY; // on the plane through the volume's centre, if before it
 uniform vec3 eyeDirection, eyeDirectionX, eyeDirectionY;
 uniform float eyeReach; // from the eye to that plane, in lengths of the direction
@@ -43,7 +43,9 @@ EyeRay eyeRay()
   float reach = eyeReach * length(along);
   vec2 interval = rayBox(frameBoxPoint(origin), frameBoxDirection(direction));
   interval.x = max(interval.x, eyeRayAtDepth(origin, direction, 0.0));
-  float depth = texelFetch(opaqueDepth, ivec2(gl_FragCoord.xy), 0).r;
+  // Several pixels of the window may share the ray.
+  ivec2 texel = ivec2(pixel / viewportSize * vec2(textureSize(opaqueDepth, 0)));
+  float depth = texelFetch(opaqueDepth, texel, 0).r;
   if (depth < 1.0)
   {
     interval.y = min(interval.y, eyeRayAtDepth(origin, direction, depth));
