@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMediumOpticalDepth.h"
 
+#include "vtkMediumReferenceCut.h"
+
 #include <algorithm>
 
 namespace
@@ -18,9 +20,10 @@ constexpr int MaximumBisections = 40;
 
 //------------------------------------------------------------------------------
 vtkMediumOpticalDepth::vtkMediumOpticalDepth(
-  const vtkMediumReferenceContent& content, const vtkMediumScene::Box& box, double tolerance)
+  const vtkMediumScene& scene, const vtkMediumReferenceContent& content, double tolerance)
   : Content(content)
-  , Box(box)
+  , Box(scene.Geometry)
+  , Cut(scene.Cut)
   , Tolerance(LeastShare * tolerance)
 {
   const vtkMediumScene::Medium& medium = content.GetMedium();
@@ -44,6 +47,22 @@ glm::dvec3 vtkMediumOpticalDepth::Evaluate(
   {
     return glm::dvec3(0);
   }
+  if (this->Cut.IsNone())
+  {
+    return this->SumOfPart(ray, begin, end);
+  }
+  glm::dvec3 sum(0);
+  for (const glm::dvec2& part : vtkMediumKeptParts(this->Cut, origin, direction, begin, end))
+  {
+    sum += this->SumOfPart(ray, part.x, part.y);
+  }
+  return sum;
+}
+
+//------------------------------------------------------------------------------
+glm::dvec3 vtkMediumOpticalDepth::SumOfPart(
+  const vtkMediumBoxRay& ray, double begin, double end) const
+{
   if (this->Component < 0)
   {
     return this->SumOfAny(ray, begin, end);

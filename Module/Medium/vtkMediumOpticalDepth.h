@@ -17,10 +17,10 @@ class vtkMediumOpticalDepth
 public:
   /// `tolerance`: absolute, of the whole depth; only quadratures through a function need it.
   vtkMediumOpticalDepth(
-    const vtkMediumReferenceContent& content, const vtkMediumScene::Box& box, double tolerance);
+    const vtkMediumScene& scene, const vtkMediumReferenceContent& content, double tolerance);
 
   /// The optical depth of each channel along a ray from `begin` to `end`, lengths in local units.
-  /// What lies outside the box is empty.
+  /// What lies outside the box or is cut away is empty.
   glm::dvec3 Evaluate(
     const glm::dvec3& origin, const glm::dvec3& direction, double begin, double end) const;
 
@@ -32,6 +32,7 @@ public:
   }
 
 private:
+  glm::dvec3 SumOfPart(const vtkMediumBoxRay& ray, double begin, double end) const;
   double SumOfField(const vtkMediumBoxRay& ray, double begin, double end) const;
   double SumOfFunction(const vtkMediumBoxRay& ray, double begin, double end) const;
   double IntegrateFunction(const double corners[8], const glm::dvec3& fraction,
@@ -40,6 +41,7 @@ private:
 
   const vtkMediumReferenceContent& Content;
   const vtkMediumScene::Box& Box;
+  const vtkMediumCut& Cut;
   double Tolerance;
   int Component = -1; ///< of the one grey field that extinction reads; -1: it reads something else
   const vtkMediumReferenceFunction* Function = nullptr;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMediumReferenceIntegrator.h"
 
+#include "vtkMediumReferenceCut.h"
 #include "vtkMediumReferenceLight.h"
 #include "vtkMediumReferencePhase.h"
 #include "vtkMediumShadowEdges.h"
@@ -67,6 +68,13 @@ struct vtkMediumReferenceIntegrator::Ray
   std::vector<LightRange> Lights; ///< of the interval that is being looked at
 };
 
+// Where a ray's source is not smooth.
+struct vtkMediumReferenceIntegrator::Kinks
+{
+  const std::vector<double>& OfLights;
+  const std::vector<vtkMediumShadowEdges>& OfShadows; ///< between voxels, found cell by cell
+};
+
 // A part of a ray without a face, kink or foot point in it.
 struct vtkMediumReferenceIntegrator::Piece
 {
@@ -83,7 +91,7 @@ vtkMediumReferenceIntegrator::vtkMediumReferenceIntegrator(
   : Scene(scene)
   , Content(content)
   , Tolerance(tolerance)
-  , Depth(content, scene.Geometry, DepthShare * tolerance)
+  , Depth(scene, content, DepthShare * tolerance)
 {
 }
 
@@ -124,42 +132,54 @@ vtkMediumReferenceIntegrator::Result vtkMediumReferenceIntegrator::Integrate(
   for (const vtkMediumScene::Light& light : this->Scene.Lights)
   {
     vtkMediumAppendLightCuts(light, ray.Origin, ray.Direction, lightCuts);
+    vtkMediumAppendCutEdges(this->Scene, light, ray.Origin, ray.Direction, begin, end, lightCuts);
     edges.emplace_back(this->Content, this->Scene.Geometry, light, boxRay);
     edges.back().AppendBoxEdges(begin, end, lightCuts);
   }
-
-  vtkMediumRayCells cells(this->Content, this->Content.GetNumberOfFields(), boxRay, begin, end);
-  std::vector<double> cuts;
-  while (cells.Next())
+  const Kinks kinks{ lightCuts, edges };
+  for (const glm::dvec2& part :
+    vtkMediumKeptParts(this->Scene.Cut, ray.Origin, ray.Direction, begin, end))
   {
-    cuts.assign({ cells.GetBegin(), cells.GetEnd() });
-    for (double cut : lightCuts)
+    vtkMediumRayCells cells(
+      this->Content, this->Content.GetNumberOfFields(), boxRay, part.x, part.y);
+    while (cells.Next())
     {
-      if (cut > cells.GetBegin() && cut < cells.GetEnd())
-      {
-        cuts.push_back(cut);
-      }
-    }
-    cells.AppendKinks(cuts);
-    for (const vtkMediumShadowEdges& edge : edges)
-    {
-      edge.AppendVoxelEdges(cells.GetBegin(), cells.GetEnd(), cuts);
-    }
-    std::sort(cuts.begin(), cuts.end());
-    for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
-    {
-      const double length = cuts[i + 1] - cuts[i];
-      if (!(length > 0))
-      {
-        continue;
-      }
-      const Piece piece{ ray, cells, cuts[i], result.OpticalDepth,
-        ray.Tolerance * std::max(length / (end - begin), LeastShare) };
-      result.Radiance += this->IntegratePiece(piece, 0, length, glm::dvec3(0), 0);
-      result.OpticalDepth += this->Depth.EvaluateInCell(cells, cuts[i], 0, length);
+      this->IntegrateCell(ray, cells, kinks, end - begin, result);
     }
   }
   return result;
+}
+
+//------------------------------------------------------------------------------
+void vtkMediumReferenceIntegrator::IntegrateCell(Ray& ray, const vtkMediumRayCells& cells,
+  const Kinks& kinks, double wholeLength, Result& result) const
+{
+  std::vector<double> cuts{ cells.GetBegin(), cells.GetEnd() };
+  for (double cut : kinks.OfLights)
+  {
+    if (cut > cells.GetBegin() && cut < cells.GetEnd())
+    {
+      cuts.push_back(cut);
+    }
+  }
+  cells.AppendKinks(cuts);
+  for (const vtkMediumShadowEdges& edge : kinks.OfShadows)
+  {
+    edge.AppendVoxelEdges(cells.GetBegin(), cells.GetEnd(), cuts);
+  }
+  std::sort(cuts.begin(), cuts.end());
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
+  {
+    const double length = cuts[i + 1] - cuts[i];
+    if (!(length > 0))
+    {
+      continue;
+    }
+    const Piece piece{ ray, cells, cuts[i], result.OpticalDepth,
+      ray.Tolerance * std::max(length / wholeLength, LeastShare) };
+    result.Radiance += this->IntegratePiece(piece, 0, length, glm::dvec3(0), 0);
+    result.OpticalDepth += this->Depth.EvaluateInCell(cells, cuts[i], 0, length);
+  }
 }
 
 //------------------------------------------------------------------------------

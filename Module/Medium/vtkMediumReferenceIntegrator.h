@@ -43,7 +43,10 @@ private:
   struct Ray;
   struct Piece;
   struct LightRange;
+  struct Kinks;
   Result Integrate(Ray& ray, double begin, double end) const;
+  void IntegrateCell(Ray& ray, const vtkMediumRayCells& cells, const Kinks& kinks,
+    double wholeLength, Result& result) const;
   glm::dvec3 IntegratePiece(
     const Piece& piece, double u0, double u1, const glm::dvec3& depth0, int level) const;
   glm::dvec3 Source(const Piece& piece, double u) const;

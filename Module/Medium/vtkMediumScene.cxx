@@ -153,6 +153,14 @@ std::string vtkMediumScene::GatherVolume(vtkImageData* input, vtkDataArray* scal
 }
 
 //------------------------------------------------------------------------------
+std::string vtkMediumScene::GatherCut(vtkAbstractVolumeMapper* mapper, vtkVolume* volume)
+{
+  const Box& box = this->Geometry;
+  return this->Cut.Gather(
+    mapper, volume, { box.Length, box.Center, box.BoxToLocalAxes, box.BoxToLocalOrigin });
+}
+
+//------------------------------------------------------------------------------
 std::string vtkMediumScene::GatherView(vtkMatrix4x4* worldToClip)
 {
   glm::dmat4 localToWorld(this->Geometry.Length);

@@ -21,6 +21,7 @@
 #include "vtkParticipatingMediumModule.h" // for the export macro
 
 #include "vtkMediumCompatibility.h"
+#include "vtkMediumCut.h"
 #include "vtkMediumField.h"
 #include "vtkMediumFunction.h"
 
@@ -33,6 +34,7 @@
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkAbstractVolumeMapper;
 class vtkImageData;
 class vtkMatrix4x4;
 class vtkRenderer;
@@ -169,6 +171,7 @@ public:
 
   Box Geometry;
   Medium Content;
+  vtkMediumCut Cut; ///< what is clipped and cropped away
   /// The input's active scalars, which the Paper integrator compares with its threshold. Without an
   /// Array where there are none, which only a vtkParticipatingMedium may do without.
   vtkMediumField Scalars;
@@ -180,6 +183,9 @@ public:
   /// and what to do. On failure the scene must not be rendered.
   std::string GatherVolume(vtkImageData* input, vtkDataArray* scalars, bool onCells,
     vtkVolume* volume, vtkParticipatingMedium* medium, double anisotropy);
+
+  /// Gathers clipping planes and cropping from a mapper, which may be null. After GatherVolume.
+  std::string GatherCut(vtkAbstractVolumeMapper* mapper, vtkVolume* volume);
 
   /// Gathers the lights of the renderer that are switched on; where none is and the renderer
   /// creates lights automatically, its headlight. Head- and camera lights stand where the

@@ -5,22 +5,16 @@
 #include "vtkMediumReferenceEyeRay.h"
 #include "vtkMediumReferenceIntegrator.h"
 #include "vtkParticipatingMedium.h"
+#include "vtkSingleScatteringReferenceGathered.h"
 
-#include "vtkAbstractMapper.h"
-#include "vtkAbstractVolumeMapper.h"
-#include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
-#include "vtkLight.h"
-#include "vtkLightCollection.h"
-#include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkRenderer.h"
 #include "vtkSMPTools.h"
 #include "vtkVolume.h"
-#include "vtkVolumeProperty.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -51,16 +45,6 @@ double Alpha(const glm::dvec3& opticalDepth)
 }
 }
 
-//------------------------------------------------------------------------------
-// What was gathered for the last question, and the state that it was gathered from.
-struct vtkSingleScatteringReference::Gathered
-{
-  vtkMediumScene Facts;
-  vtkMediumReferenceContent Content;
-  vtkMTimeType Time = 0;
-  bool Lit = false;
-};
-
 vtkStandardNewMacro(vtkSingleScatteringReference);
 
 //------------------------------------------------------------------------------
@@ -87,147 +71,15 @@ vtkSingleScatteringReference::~vtkSingleScatteringReference() = default;
     return this->name;                                                                             \
   }
 
+// clang-format off
 vtkSingleScatteringReferenceObjectMacro(InputData, vtkImageData)
-  vtkSingleScatteringReferenceObjectMacro(Medium, vtkParticipatingMedium)
-    vtkSingleScatteringReferenceObjectMacro(Volume, vtkVolume)
-      vtkSingleScatteringReferenceObjectMacro(Renderer, vtkRenderer)
+vtkSingleScatteringReferenceObjectMacro(Medium, vtkParticipatingMedium)
+vtkSingleScatteringReferenceObjectMacro(Volume, vtkVolume)
+vtkSingleScatteringReferenceObjectMacro(Renderer, vtkRenderer)
+  // clang-format on
 
   //------------------------------------------------------------------------------
-  vtkMTimeType vtkSingleScatteringReference::GetMTime()
-{
-  vtkMTimeType time = this->Superclass::GetMTime();
-  const auto include = [&time](vtkObject* object) {
-    time = object ? std::max(time, object->GetMTime()) : time;
-  };
-  include(this->FindInput());
-  include(this->Medium);
-  if (this->Volume)
-  {
-    this->Volume->ComputeMatrix();
-    include(this->Volume);
-    include(this->Volume->GetMatrix());
-    include(this->Volume->GetProperty());
-    include(this->Volume->GetMapper());
-  }
-  if (this->Renderer)
-  {
-    include(this->Renderer);
-    include(this->Renderer->IsActiveCameraCreated() ? this->Renderer->GetActiveCamera() : nullptr);
-    vtkLightCollection* lights = this->Renderer->GetLights();
-    include(lights);
-    vtkCollectionSimpleIterator iterator;
-    lights->InitTraversal(iterator);
-    while (vtkLight* light = lights->GetNextLight(iterator))
-    {
-      include(light);
-      include(light->GetTransformMatrix());
-    }
-  }
-  return time;
-}
-
-//------------------------------------------------------------------------------
-vtkImageData* vtkSingleScatteringReference::FindInput()
-{
-  if (this->InputData || !this->Volume || !this->Volume->GetMapper())
-  {
-    return this->InputData;
-  }
-  return vtkImageData::SafeDownCast(this->Volume->GetMapper()->GetDataObjectInput());
-}
-
-//------------------------------------------------------------------------------
-std::string vtkSingleScatteringReference::GatherMedium()
-{
-  vtkImageData* input = this->FindInput();
-  if (!input)
-  {
-    return "There is no vtkImageData; call SetInputData, or SetVolume with a volume whose mapper "
-           "has "
-           "one as its input.";
-  }
-  vtkAbstractVolumeMapper* mapper = this->Volume ? this->Volume->GetMapper() : nullptr;
-  int cellFlag = 0;
-  vtkDataArray* scalars = mapper
-    ? vtkAbstractMapper::GetScalars(input, mapper->GetScalarMode(), mapper->GetArrayAccessMode(),
-        mapper->GetArrayId(), mapper->GetArrayName(), cellFlag)
-    : vtkAbstractMapper::GetScalars(
-        input, VTK_SCALAR_MODE_DEFAULT, VTK_GET_ARRAY_BY_ID, 0, nullptr, cellFlag);
-  if (!scalars && !this->Medium)
-  {
-    return "The input image has no scalars; give it point or cell scalars, or set a "
-           "vtkParticipatingMedium.";
-  }
-  vtkSmartPointer<vtkVolume> volume = this->Volume;
-  if (!volume)
-  {
-    volume = vtkSmartPointer<vtkVolume>::New();
-  }
-  volume->ComputeMatrix();
-  const bool onCells = cellFlag != 0;
-  const std::string problem = this->Scene->Facts.GatherVolume(
-    input, scalars, onCells, volume, this->Medium, this->Anisotropy);
-  if (problem.empty())
-  {
-    this->Scene->Content.Update(this->Scene->Facts);
-  }
-  return problem;
-}
-
-//------------------------------------------------------------------------------
-std::string vtkSingleScatteringReference::GatherLights()
-{
-  if (!this->Renderer)
-  {
-    return "There is no renderer to take lights and camera from; call SetRenderer.";
-  }
-  return this->Scene->Facts.GatherLights(this->Renderer);
-}
-
-//------------------------------------------------------------------------------
-std::string vtkSingleScatteringReference::GatherView(int size[2])
-{
-  const bool given = this->ImageSize[0] > 0 && this->ImageSize[1] > 0;
-  const int* source =
-    given || !this->Renderer->GetVTKWindow() ? this->ImageSize : this->Renderer->GetSize();
-  std::copy(source, source + 2, size);
-  if (size[0] < 1 || size[1] < 1)
-  {
-    return "The image would have " + std::to_string(size[0]) + " x " + std::to_string(size[1]) +
-      " pixels; call SetImageSize with a width and a height > 0, or give the renderer a window.";
-  }
-  const double aspect =
-    given ? static_cast<double>(size[0]) / size[1] : this->Renderer->GetTiledAspectRatio();
-  return this->Scene->Facts.GatherView(
-    this->Renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(aspect, -1, 1));
-}
-
-//------------------------------------------------------------------------------
-bool vtkSingleScatteringReference::Gather(bool lights)
-{
-  if (this->Scene->Time != 0 && this->Scene->Time == this->GetMTime() &&
-    (this->Scene->Lit || !lights))
-  {
-    return true;
-  }
-  this->Scene->Time = 0;
-  std::string problem = this->GatherMedium();
-  if (problem.empty() && lights)
-  {
-    problem = this->GatherLights();
-  }
-  if (!problem.empty())
-  {
-    vtkErrorMacro(<< problem);
-    return false;
-  }
-  this->Scene->Lit = lights;
-  this->Scene->Time = this->GetMTime();
-  return true;
-}
-
-//------------------------------------------------------------------------------
-double vtkSingleScatteringReference::EstimatePeak(const int size[2])
+  double vtkSingleScatteringReference::EstimatePeak(const int size[2])
 {
   const vtkMediumReferenceIntegrator integrator(
     this->Scene->Facts, this->Scene->Content, this->Tolerance);
@@ -354,7 +206,8 @@ void vtkSingleScatteringReference::OpticalDepth(const double a[3], const double 
   glm::dvec3 depth(0);
   if (length > 0)
   {
-    const vtkMediumOpticalDepth evaluator(this->Scene->Content, box, this->Tolerance);
+    const vtkMediumOpticalDepth evaluator(
+      this->Scene->Facts, this->Scene->Content, this->Tolerance);
     depth = evaluator.Evaluate(box.WorldToLocal(glm::make_vec3(a)), way / length, 0, length);
   }
   std::copy(&depth[0], &depth[0] + 3, rgb);

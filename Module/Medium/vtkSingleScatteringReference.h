@@ -22,7 +22,8 @@
  * mapper's table of 4096 straight intervals, and the tolerance is not met below the table's own
  * distance from a smooth function: 1e-8 of the peak where its curve is gentle, some 1e-7 where it is
  * steep. Positions have the resolution of a double, so an extinction of more than 1e7 a box is blurred.
- * Opaque geometry, cropping and clipping planes are not seen.
+ * Cropping and the clipping planes of the volume's mapper cut eye rays and light rays, to the same tolerance.
+ * Opaque geometry is not seen.
  *
  * Threaded with vtkSMPTools; the result does not depend on the number of threads.
  *
@@ -79,7 +80,8 @@ public:
 
   ///@{
   /// Its property and matrix are used and, when it has a mapper, the mapper's choice of the scalar
-  /// array. If none is set: the identity, and a default property.
+  /// array, its clipping planes and its cropping; their meaning is documented in
+  /// vtkSingleScatteringVolumeMapper. If none is set: the identity, and a default property.
   void SetVolume(vtkVolume* volume);
   vtkVolume* GetVolume();
   ///@}
