@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMediumFrame.h"
 
+#include "vtkMediumCutUniforms.h"
+
 #include "vtkMediumOpenGL.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -130,6 +132,7 @@ void vtkMediumFrame::SetFrameUniforms(
   SetUniform(program, "eyeDirectionY", eye.DirectionY);
   SetUniform(program, "nearPlane", eye.ClipW + eye.ClipZ);
   SetUniform(program, "farPlane", eye.ClipW - eye.ClipZ);
+  vtkMediumSetCutUniforms(program, scene.Cut);
 }
 
 //------------------------------------------------------------------------------

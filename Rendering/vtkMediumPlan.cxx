@@ -41,6 +41,7 @@ vtkMediumPlan::vtkMediumPlan(
   const bool paper = settings.Integrator == Mapper::Paper;
   this->Fields = paper ? std::vector<vtkMediumField>{ scene.Scalars } : scene.Content.Fields;
   this->Validate(settings, device);
+  this->ValidateCut(scene.Cut);
   if (!this->Refusal.empty())
   {
     return;
@@ -132,6 +133,19 @@ void vtkMediumPlan::Validate(const Settings& settings, const Capabilities& devic
 }
 
 //------------------------------------------------------------------------------
+void vtkMediumPlan::ValidateCut(const vtkMediumCut& cut)
+{
+  const int planes = static_cast<int>(cut.Planes.size());
+  if (this->Refusal.empty() && planes > MostClippingPlanes)
+  {
+    std::ostringstream text;
+    text << planes << " clipping planes, with those of a cropped box, cut the volume, but at most "
+         << MostClippingPlanes << " can be honoured; remove some (RemoveClippingPlane).";
+    this->Refusal = text.str();
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkMediumPlan::ChooseSteps(const vtkMediumScene& scene, const Settings& settings)
 {
   const double voxel = scene.Geometry.VoxelLength;
@@ -164,8 +178,10 @@ void vtkMediumPlan::SplitIntoPasses(
   // The longest ray is the volume's diagonal, one local unit. The paper's march starts anew at each
   // surface, which at worst doubles its steps. Binary searches are written out and loop nowhere. Mesa
   // counts one or two iterations more for a loop than it makes, hence the fours.
-  const int eyeSteps = static_cast<int>(std::ceil((paper ? 2 : 1) / this->EyeStep)) + 2;
-  const int lightIterations = this->CountLightIterations(paper);
+  // Each part that cropping leaves of a ray ends with a step of its own.
+  const int parts = scene.Cut.CutsRegions() ? 2 * MostKeptParts : 0;
+  const int eyeSteps = static_cast<int>(std::ceil((paper ? 2 : 1) / this->EyeStep)) + 2 + parts;
+  const int lightIterations = this->CountLightIterations(paper) + parts;
   const int eyeIterations = 4;
 
   const int lights = this->Lit ? static_cast<int>(scene.Lights.size()) : 0;
@@ -209,7 +225,7 @@ void vtkMediumPlan::PlanExact(const vtkMediumScene& scene, const Capabilities& d
   }
   // A light at a time, for a part of a cell marches six light rays for each. Software renderers run
   // eight pixels in lockstep, which at worst spend their iterations one after the other.
-  const int part = 6 * (longest.x + longest.y + longest.z);
+  const int part = 6 * (longest.x + longest.y + longest.z + MostKeptParts);
   const int lockstep = 8;
   this->IterationBudget = std::max(device.LoopIterations / lockstep - part, 1);
   const int lights = this->Lit ? static_cast<int>(scene.Lights.size()) : 0;
@@ -287,20 +303,26 @@ void vtkMediumPlan::ChooseProgram(
     defines << "#define LATTICE_COUNT " << this->Lattices.size() << "\n";
     defines << (device.CoarseFilter ? "#define COARSE_FILTER\n" : "");
   }
+  defines << vtkMediumStructure::CutDefines(scene.Cut);
   defines << vtkMediumStructure::LightDefines(scene.Lights);
   defines << vtkMediumStructure::PhaseDefines(scene.Content, paper);
   this->ShaderDefines = defines.str();
-  this->ChooseShaderFiles(settings.Integrator);
+  this->ChooseShaderFiles(scene, settings.Integrator);
 }
 
 //------------------------------------------------------------------------------
-void vtkMediumPlan::ChooseShaderFiles(int integrator)
+void vtkMediumPlan::ChooseShaderFiles(const vtkMediumScene& scene, int integrator)
 {
   std::vector<std::string>& files = this->ShaderFiles;
   auto add = [&files](std::initializer_list<const char*> names) {
     files.insert(files.end(), names.begin(), names.end());
   };
-  add({ "Phase", "RayBox", "Segment", "Transmittance", "Frame", "EyeRay", "Fields" });
+  add({ "Phase", "RayBox", "Segment", "Transmittance", "Frame" });
+  if (!scene.Cut.Planes.empty())
+  {
+    add({ "ClippingPlanes" });
+  }
+  add({ scene.Cut.CutsRegions() ? "KeptRegions" : "KeptInterval", "EyeRay", "Fields" });
   if (this->Lit)
   {
     add({ "PhaseLobes", "Light", "Lights" });

@@ -98,6 +98,10 @@ public:
   static constexpr int ExactParts = 3;
   /// From look-up to look-up of a light ray that is marched until its cache is accurate enough, voxels.
   static constexpr double LookUpSpacing = 2;
+  /// Clipping planes that cut the volume; a cropped sub-volume may need six of them.
+  static constexpr int MostClippingPlanes = 16;
+  /// Parts into which cropping may divide a ray.
+  static constexpr int MostKeptParts = 4;
   /// Look-ups in one iteration of a light ray's loop.
   static constexpr int LightTapsPerIteration = 4;
 
@@ -150,6 +154,7 @@ public:
 
 private:
   void Validate(const Settings&, const Capabilities&);
+  void ValidateCut(const vtkMediumCut&);
   void ChooseSteps(const vtkMediumScene&, const Settings&);
   void PlanPaper(const vtkMediumScene&, const Settings&);
   void PlanErrorControlled(const vtkMediumScene&, const Settings&);
@@ -158,7 +163,7 @@ private:
   int CountLightIterations(bool paper) const;
   void SplitIntoPasses(const vtkMediumScene&, const Settings&, const Capabilities&);
   void ChooseProgram(const vtkMediumScene&, const Settings&, const Capabilities&);
-  void ChooseShaderFiles(int integrator);
+  void ChooseShaderFiles(const vtkMediumScene&, int integrator);
   void ChooseLightFiles();
 };
 

@@ -13,7 +13,8 @@ void vtkMediumPlan::PlanErrorControlled(const vtkMediumScene& scene, const Setti
   this->EyeStep = settings.ControlledStep > 0 ? settings.ControlledStep : voxel;
   this->LightStep = settings.ControlledLightStep > 0 ? settings.ControlledLightStep : this->EyeStep;
 
-  // A cache holds one grey optical depth for each lattice point, looked up trilinearly.
+  // A cache holds one grey optical depth for each lattice point, looked up trilinearly. Shadows of what is
+  // left by a cut have edges between lattice points, and caches know nothing of it.
   vtkTypeInt64 voxels = 0;
   bool linear = !this->Fields.empty();
   for (const vtkMediumField& field : this->Fields)
@@ -26,7 +27,7 @@ void vtkMediumPlan::PlanErrorControlled(const vtkMediumScene& scene, const Setti
   const bool rough = settings.LightMethod == MarchThenLookUp;
   const vtkTypeInt64 bytes = (rough ? 4 : 2) * voxels * lights;
   if (settings.LightMethod != March && this->Lit && linear && !scene.Content.ChromaticExtinction &&
-    lights <= (rough ? MostCachedLights / 2 : MostCachedLights) &&
+    scene.Cut.IsNone() && lights <= (rough ? MostCachedLights / 2 : MostCachedLights) &&
     bytes <= settings.LightCacheBytes)
   {
     this->CachedLights = lights;

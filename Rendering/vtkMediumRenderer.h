@@ -25,6 +25,7 @@
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkAbstractVolumeMapper;
 class vtkDataArray;
 class vtkImageData;
 class vtkOpenGLRenderWindow;
@@ -44,6 +45,7 @@ public:
     vtkRenderer* Renderer = nullptr;
     vtkVolume* Volume = nullptr;
     vtkImageData* Input = nullptr;
+    vtkAbstractVolumeMapper* Mapper = nullptr; ///< whose clipping planes and cropping count
     vtkDataArray* Scalars = nullptr;
     bool ScalarsOnCells = false;
     vtkParticipatingMedium* Medium = nullptr; ///< null: the volume's property

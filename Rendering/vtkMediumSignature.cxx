@@ -67,6 +67,25 @@ void vtkMediumSignature::Add(const vtkMediumScene::Light& light)
 }
 
 //------------------------------------------------------------------------------
+void vtkMediumSignature::Add(const vtkMediumCut& cut)
+{
+  const auto add = [this](const vtkMediumCut::Plane& plane) {
+    this->Add(plane.Normal);
+    this->Add(plane.Offset);
+  };
+  for (const vtkMediumCut::Plane& plane : cut.Planes)
+  {
+    add(plane);
+  }
+  this->Add(cut.Regions);
+  for (int axis = 0; axis < 3 && cut.CutsRegions(); ++axis)
+  {
+    add(cut.Lower[axis]);
+    add(cut.Upper[axis]);
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkMediumSignature vtkMediumSignature::OfExtinction(const vtkMediumScene& scene)
 {
   vtkMediumSignature signature;
@@ -115,5 +134,6 @@ vtkMediumSignature vtkMediumSignature::OfContentAndLights(const vtkMediumScene& 
   {
     signature.Add(light);
   }
+  signature.Add(scene.Cut);
   return signature;
 }

@@ -37,6 +37,7 @@ private:
   void Add(const vtkMediumScene::Coefficient& coefficient, const vtkMediumScene::Medium& content);
   void Add(const vtkMediumField& field);
   void Add(const vtkMediumScene::Light& light);
+  void Add(const vtkMediumCut& cut);
 
   std::vector<double> Values;
 };

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMediumStructure.h"
 
+#include "vtkMediumPlan.h"
+
 #include <sstream>
 
 namespace
@@ -86,6 +88,19 @@ std::string vtkMediumStructure::ExactDefines(const vtkMediumScene::Medium& conte
   text << "#define EXTINCTION_BETWEEN(a, b) (functionMean(" << extinction.FunctionIndex << ", a, b)"
        << (extinction.Source == Coefficient::FunctionRGB ? ".rgb" : ".aaa")
        << " * extinctionScale)\n";
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkMediumStructure::CutDefines(const vtkMediumCut& cut)
+{
+  if (cut.Planes.empty())
+  {
+    return {};
+  }
+  std::ostringstream text;
+  text << "#define CLIPPING_PLANES " << cut.Planes.size() << "\n";
+  text << "#define CLIPPING_PLANES_MOST " << vtkMediumPlan::MostClippingPlanes << "\n";
   return text.str();
 }
 

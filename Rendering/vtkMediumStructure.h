@@ -22,6 +22,7 @@ public:
   static std::string ContentDefines(const vtkMediumScene::Medium& content);
   /// How the Exact integrator takes the mean of the extinction over a segment.
   static std::string ExactDefines(const vtkMediumScene::Medium& content);
+  static std::string CutDefines(const vtkMediumCut& cut);
   static std::string LightDefines(const std::vector<vtkMediumScene::Light>& lights);
   /// Which formula PHASE is; `schlick` asks for Schlick's whatever the content says.
   static std::string PhaseDefines(const vtkMediumScene::Medium& content, bool schlick);

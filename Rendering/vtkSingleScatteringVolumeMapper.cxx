@@ -66,6 +66,7 @@ std::string vtkSingleScatteringVolumeMapper::Draw(vtkRenderer* renderer, vtkVolu
   request.Renderer = renderer;
   request.Volume = volume;
   request.Input = vtkImageData::SafeDownCast(this->GetDataObjectInput());
+  request.Mapper = this;
   int onCells = 0;
   request.Scalars = vtkVolumeMapper::GetScalars(request.Input, this->ScalarMode,
     this->ArrayAccessMode, this->ArrayId, this->ArrayName, onCells);
@@ -124,18 +125,6 @@ std::string vtkSingleScatteringVolumeMapper::CheckContract()
   {
     text << "The blend mode is " << this->GetBlendMode()
          << ", but a participating medium has only composite blending (SetBlendModeToComposite).";
-  }
-  else if (this->GetCropping())
-  {
-    text
-      << "Cropping is on, but this mapper does not crop; switch it off (CroppingOff) and extract "
-         "the region from the image instead (vtkExtractVOI).";
-  }
-  else if (this->GetNumberOfClippingPlanes() > 0)
-  {
-    text << this->GetNumberOfClippingPlanes()
-         << " clipping planes are set, but this mapper does not clip; remove them "
-            "(RemoveAllClippingPlanes).";
   }
   return text.str();
 }

@@ -27,8 +27,18 @@
  * do; the frame keeps its background and the next valid frame is drawn. A cause that persists is
  * reported once, until it changes or a frame succeeds. Refused are: an input that is not a
  * vtkImageData, has no scalars, has fewer than two points along an axis or a singular matrix; blend
- * modes other than composite; cropping and clipping planes; a window that is not OpenGL 3.2; and the
- * parameter values named below.
+ * modes other than composite; clipping planes and cropping planes that are none; a window that is not
+ * OpenGL 3.2; and the parameter values named below.
+ *
+ * @par Clipping and cropping
+ * Clipping planes (AddClippingPlane; world coordinates; kept is the side that the normal points to) and
+ * cropping (SetCropping, 27 regions, planes in the coordinates of the image, before the volume's matrix)
+ * cut eye rays and light rays alike: what is cut away neither shines nor casts a shadow. Rays are cut
+ * exactly at the planes, whatever the step. At most 16 planes may cut the volume, the faces of a cropped
+ * box among them; planes beside it do not count. Not taken, and refused by an error: a plane with numbers
+ * that are not finite, a zero normal or a transform, and cropping planes in the wrong order. Moving a plane
+ * compiles and builds nothing; ErrorControlled finds its step anew and marches the light rays of a volume
+ * that is cut, since light caches do not know of the cut.
  *
  * @par The integrators
  * | name | what it does | order |

@@ -51,10 +51,11 @@ ExactPlace exactAdvance(ExactPlace place, float end)
 }
 
 // Integrates a part, or halves it. Returns its optical depth, 0 if it was halved.
-SPECTRUM exactStep(EyeRay ray, vec3 start, vec3 along, SPECTRUM before, inout ExactPlace place,
-  inout FrameState state)
+SPECTRUM exactStep(EyeRay ray, Kept kept, vec3 start, vec3 along, SPECTRUM before,
+  inout ExactPlace place, inout FrameState state)
 {
-  float end = max(cellWalkNext(start, along, place.t, ray.span), place.t + CELL_WALK_LEAST);
+  float end =
+    max(cellWalkNext(start, along, place.t, keptEnd(kept, place.t)), place.t + CELL_WALK_LEAST);
   float width = (end - place.t) / float(1 << place.level);
   float a = place.t + float(place.index) * width;
   float middle = a + 0.5 * width;
@@ -77,6 +78,7 @@ SPECTRUM exactStep(EyeRay ray, vec3 start, vec3 along, SPECTRUM before, inout Ex
   }
   outputSegment(ray.offset + a, width, before, first + second, seen, state);
   place = exactAdvance(place, end);
+  place.t = place.level == 0 ? keptNext(kept, place.t) : place.t;
   return first + second;
 }
 
@@ -92,15 +94,16 @@ void main()
   // While the march goes on, march holds the optical depth and t, and alpha which part of the cell.
   SPECTRUM depth = SPECTRUM_OF(begins ? vec3(0.0) : state.march.rgb);
   int code = begins ? 0 : int(state.alpha);
-  ExactPlace place = ExactPlace(begins ? 0.0 : state.march.a, code / 64, code % 64);
+  Kept kept = keptOf(ray.origin, ray.direction, ray.span);
+  ExactPlace place = ExactPlace(begins ? keptNext(kept, 0.0) : state.march.a, code / 64, code % 64);
   vec3 start = frameBoxPoint(ray.origin);
   vec3 along = frameBoxDirection(ray.direction);
-  bool over = !begins && state.rays == 1.0;
+  bool over = begins ? place.t >= KEPT_OVER : state.rays == 1.0;
   while (!over && exactIterations < iterationBudget)
   {
     exactIterations += 16 * (EXACT_PARTS + 2); // the parts and nodes of one step
-    depth += exactStep(ray, start, along, depth, place, state);
-    over = place.t >= ray.span || outputIsOver(depth, state);
+    depth += exactStep(ray, kept, start, along, depth, place, state);
+    over = place.t >= KEPT_OVER || outputIsOver(depth, state);
   }
   state.rays = over ? 1.0 : FRAME_UNFINISHED;
   state.march = vec4(vec3(depth), place.t);

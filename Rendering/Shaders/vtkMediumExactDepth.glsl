@@ -47,13 +47,14 @@ SPECTRUM lightTransmittance(int number, vec3 point, Light light)
   vec3 start = frameBoxPoint(point);
   vec3 along = frameBoxDirection(light.direction);
   float span = min(rayBox(start, along).y, light.distance);
+  Kept kept = keptOf(point, light.direction, span);
   SPECTRUM sum = SPECTRUM(0.0);
-  float t = 0.0;
-  while (t < span)
+  float t = keptNext(kept, 0.0);
+  while (t < KEPT_OVER)
   {
-    float next = max(cellWalkNext(start, along, t, span), t + CELL_WALK_LEAST);
+    float next = max(cellWalkNext(start, along, t, keptEnd(kept, t)), t + CELL_WALK_LEAST);
     sum += exactCellDepth(start, along, t, next);
-    t = next;
+    t = keptNext(kept, next);
     exactIterations += EXACT_PARTS + 2; // this loop's and those of the parts, with their ends
   }
   return transmittance(sum);

@@ -15,7 +15,8 @@ uniform sampler2D opaqueDepth;
 uniform sampler2D tiles; // for each square of pixels, the first and last t at which its rays meet a brick
 #endif
 
-// The part of the ray inside the volume, after the near plane and before opaque geometry. Its origin is
+// The part of the ray inside the volume, from the first point to the last that is not cut away, after the
+// near plane and before opaque geometry. Its origin is
 // where it starts, so that positions along it stay exact however far the eye is.
 struct EyeRay
 {
@@ -54,6 +55,8 @@ EyeRay eyeRay()
   vec2 tile = texelFetch(tiles, ivec2(pixel) / TILES, 0).rg - reach;
   interval = vec2(max(interval.x, tile.x), min(interval.y, tile.y));
 #endif
+  origin += interval.x * direction;
+  vec2 hull = keptHull(keptOf(origin, direction, interval.y - interval.x));
   return EyeRay(
-    origin + interval.x * direction, direction, interval.y - interval.x, reach + interval.x);
+    origin + hull.x * direction, direction, hull.y - hull.x, reach + interval.x + hull.x);
 }

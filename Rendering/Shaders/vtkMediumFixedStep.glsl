@@ -4,10 +4,12 @@
 // FixedStep: midpoint marching along the eye ray with a closed form in each segment, and along a light
 // ray from each midpoint. Second order in both steps where the medium is smooth.
 
-// One segment: constant coefficients and source, taken at its middle. Returns its optical depth.
-SPECTRUM fixedStepSegment(
-  EyeRay ray, float middle, float width, SPECTRUM before, inout FrameState state)
+// One segment (begin, width): constant coefficients and source, taken at its middle. Returns its optical
+// depth.
+SPECTRUM fixedStepSegment(EyeRay ray, vec2 segment, SPECTRUM before, inout FrameState state)
 {
+  float width = segment.y;
+  float middle = segment.x + 0.5 * width;
   vec3 point = ray.origin + middle * ray.direction;
   Content content = contentAt(frameBoxPoint(point));
   COUNT(1);
@@ -17,7 +19,7 @@ SPECTRUM fixedStepSegment(
   lightSourceWeight = weight;
 #endif
   vec3 gathered = weight * width * sourceAt(point, ray.direction, content);
-  outputSegment(ray.offset + middle - 0.5 * width, width, before, depth, gathered, state);
+  outputSegment(ray.offset + segment.x, width, before, depth, gathered, state);
   return depth;
 }
 
@@ -30,19 +32,18 @@ void main()
   }
   FrameState state = frameBegin();
   state.rays = 1.0;
-  int steps = max(int(ceil(ray.span / eyeStep)), 1);
-  float width = ray.span / float(steps);
+  KeptSteps steps = keptSteps(keptOf(ray.origin, ray.direction, ray.span), eyeStep);
   // Optical depths are summed in blocks, so that rounding does not build up over a long march.
   SPECTRUM blocks = SPECTRUM_OF(firstStep == 0 ? vec3(0.0) : state.march.rgb);
   SPECTRUM block = SPECTRUM(0.0);
-  for (int i = firstStep; i < min(lastStep, steps); ++i)
+  for (int i = firstStep; i < min(lastStep, steps.count); ++i)
   {
     SPECTRUM before = blocks + block;
     if (outputIsOver(before, state))
     {
       break;
     }
-    block += fixedStepSegment(ray, (float(i) + 0.5) * width, width, before, state);
+    block += fixedStepSegment(ray, keptStep(steps, i), before, state);
     if (i % 64 == 63)
     {
       blocks += block;

@@ -27,27 +27,22 @@ float lightTransmittance(int number, vec3 point, Light light)
   vec3 start = frameBoxPoint(point);
   vec3 along = frameBoxDirection(light.direction);
   float span = min(rayBox(start, along).y, light.distance);
-  if (!(span > 0.0))
-  {
-    return 1.0;
-  }
-  int iterations = lightStepsCount(span);
-  float width = span / float(iterations * LIGHT_TAPS);
+  KeptSteps steps = keptSteps(keptOf(point, light.direction, span), LIGHT_STEPS_LONGEST);
   float sum = 0.0;
   float passed = 1.0; // transmittance of the marched part
-  vec2 rest = lightMarchLookUp(number, start);
+  vec2 rest = steps.count > 0 ? lightMarchLookUp(number, start) : vec2(1.0, 0.0);
   int i = 0;
-  while (i < iterations && passed * rest.y * lightImportance > lightTolerance)
+  while (i < steps.count && passed * rest.y * lightImportance > lightTolerance)
   {
-    int last = min(i + lightLookUpEvery, iterations);
+    int last = min(i + lightLookUpEvery, steps.count);
     COUNT((last - i) * LIGHT_TAPS);
     for (; i < last; ++i)
     {
-      sum += lightSteps(start, along, width, i);
+      sum += lightSteps(start, along, keptStep(steps, i));
     }
-    passed = transmittance(sum * width);
-    rest = i < iterations
-      ? lightMarchLookUp(number, start + float(i * LIGHT_TAPS) * width * along)
+    passed = transmittance(sum);
+    rest = i < steps.count
+      ? lightMarchLookUp(number, start + keptStep(steps, i).x * along)
       : vec2(1.0, 0.0);
   }
   return passed * rest.x;

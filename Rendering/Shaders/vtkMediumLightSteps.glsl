@@ -11,21 +11,19 @@
 #error "LIGHT_TAPS look-ups are written out below; change both"
 #endif
 #define LIGHT_STEPS_TAP(k)                                                                         \
-  part += contentExtinction(start + (float(i * LIGHT_TAPS + k) + 0.5) * width * along);
+  part += contentExtinction(start + (segment.x + (float(k) + 0.5) * width) * along);
 
-// The sum of the extinctions in iteration `i`, for steps of `width`; start and along in box coordinates.
-SPECTRUM lightSteps(vec3 start, vec3 along, float width, int i)
+// The longest that LIGHT_TAPS steps may be together, so that each is at most lightStep.
+#define LIGHT_STEPS_LONGEST (lightStep * float(LIGHT_TAPS))
+
+// The optical depth of a segment (begin, width) of the ray; start and along in box coordinates.
+SPECTRUM lightSteps(vec3 start, vec3 along, vec2 segment)
 {
+  float width = segment.y / float(LIGHT_TAPS);
   SPECTRUM part = SPECTRUM(0.0);
   LIGHT_STEPS_TAP(0)
   LIGHT_STEPS_TAP(1)
   LIGHT_STEPS_TAP(2)
   LIGHT_STEPS_TAP(3)
-  return part;
-}
-
-// The iterations for a ray: steps of at most lightStep.
-int lightStepsCount(float span)
-{
-  return int(ceil(span / (lightStep * float(LIGHT_TAPS))));
+  return part * width;
 }

@@ -22,25 +22,38 @@ float paperLightPath(vec3 point, Light light)
   vec3 start = frameBoxPoint(point);
   vec3 along = frameBoxDirection(light.direction);
   float span = min(rayBox(start, along).y, light.distance);
-  float path = 0.0, entry = 0.0, before = 0.0;
+  Kept kept = keptOf(point, light.direction, span);
+  float path = 0.0;
+  float base = keptNext(kept, 0.0), entry = base, before = base;
   bool inside = true;
-  for (int k = 1; before < span; ++k)
+  for (int k = 1; before < KEPT_OVER; ++k)
   {
-    float t = min(float(k) * lightStep, span);
+    float end = keptEnd(kept, before);
+    float t = min(base + float(k) * lightStep, end);
     bool filled = paperFilled(start + t * along);
     if (filled != inside)
     {
       float crossing = paperBisect(start, along, before, t, filled);
 #ifdef ASSUME_CONVEX
-      return crossing;
+      return crossing - entry;
 #endif
       path += inside ? crossing - entry : 0.0;
       entry = crossing;
       inside = filled;
     }
     before = t;
+    if (t >= end) // the volume's or that of a part that is kept
+    {
+      path += inside ? end - entry : 0.0;
+      base = entry = before = keptNext(kept, end);
+      k = 0;
+      inside = before < KEPT_OVER && paperFilled(start + before * along);
+#ifdef ASSUME_CONVEX
+      return path;
+#endif
+    }
   }
-  return path + (inside ? max(span, 0.0) - entry : 0.0);
+  return path;
 }
 
 // Light scattered towards the eye per local unit at a point, by the lights of this draw.
@@ -67,24 +80,41 @@ struct PaperMarch
 #define PAPER_INSIDE 1.0
 #define PAPER_DONE 2.0
 
-PaperMarch paperBegin(EyeRay ray, vec3 start, inout FrameState state)
+// At the first point of the next part of the ray that is kept: t and place.
+PaperMarch paperEnter(EyeRay ray, vec3 start, vec3 along, Kept kept, PaperMarch march, float t,
+  inout FrameState state)
+{
+  march.base = keptNext(kept, t);
+  march.steps = 0.0;
+  march.place = PAPER_DONE;
+  if (march.base < KEPT_OVER)
+  {
+    bool filled = paperFilled(start + march.base * along);
+    state.first = filled && !frameHasHit(state) ? ray.offset + march.base : state.first;
+    march.place = filled ? PAPER_INSIDE : PAPER_OUTSIDE;
+  }
+  return march;
+}
+
+PaperMarch paperBegin(
+  EyeRay ray, vec3 start, vec3 along, Kept kept, inout FrameState state)
 {
   if (firstStep > 0)
   {
     return PaperMarch(state.march.x, state.march.y, state.march.z, state.march.w);
   }
-  bool filled = paperFilled(start);
-  state.first = filled ? ray.offset : state.first;
-  return PaperMarch(0.0, 0.0, 0.0, filled ? PAPER_INSIDE : PAPER_OUTSIDE);
+  PaperMarch march = PaperMarch(0.0, 0.0, 0.0, PAPER_OUTSIDE);
+  return paperEnter(ray, start, along, kept, march, 0.0, state);
 }
 
 // One linear step: find its end, gather light if it is inside, then move on.
-void paperStep(EyeRay ray, vec3 start, vec3 along, float jitter, inout PaperMarch march,
-  inout FrameState state)
+void paperStep(EyeRay ray, vec3 start, vec3 along, Kept kept, float jitter,
+  inout PaperMarch march, inout FrameState state)
 {
   bool inside = march.place == PAPER_INSIDE;
   float t = march.base + march.steps * eyeStep;
-  float next = min(t + eyeStep, ray.span);
+  float partEnd = keptEnd(kept, t);
+  float next = min(t + eyeStep, partEnd);
   bool filled = paperFilled(start + next * along);
   bool crossed = filled != inside;
   float end = crossed ? paperBisect(start, along, t, next, filled) : next;
@@ -97,18 +127,23 @@ void paperStep(EyeRay ray, vec3 start, vec3 along, float jitter, inout PaperMarc
     state.radiance += transmittance(depth) * source * (end - t);
   }
 #endif
-  bool over = next >= ray.span && !crossed;
+  bool over = next >= partEnd && (!crossed || end >= partEnd);
   if (crossed || over)
   {
     march.path += inside ? end - march.base : 0.0;
     state.last = inside ? ray.offset + end : state.last;
     state.first = filled && !frameHasHit(state) ? ray.offset + end : state.first;
     march.base = end;
-    march.steps = -1.0;
-    march.place = over ? PAPER_DONE : filled ? PAPER_INSIDE : PAPER_OUTSIDE;
+    march.steps = 0.0;
+    march.place = filled ? PAPER_INSIDE : PAPER_OUTSIDE;
+    if (over)
+    {
+      march = paperEnter(ray, start, along, kept, march, end, state);
+    }
 #ifdef ASSUME_CONVEX
-    march.place = filled ? march.place : inside ? PAPER_DONE : march.place;
+    march.place = inside ? PAPER_DONE : march.place;
 #endif
+    return;
   }
   march.steps += 1.0;
 }
@@ -133,10 +168,11 @@ void main()
   ivec2 entry = (ivec2(gl_FragCoord.xy) + firstPixel) % textureSize(jitterTable, 0);
   float jitter = paperJitter * texelFetch(jitterTable, entry, 0).r;
   state.rays = 1.0;
-  PaperMarch march = paperBegin(ray, start, state);
+  Kept kept = keptOf(ray.origin, ray.direction, ray.span);
+  PaperMarch march = paperBegin(ray, start, along, kept, state);
   for (int i = firstStep; i < lastStep && march.place != PAPER_DONE; ++i)
   {
-    paperStep(ray, start, along, jitter, march, state);
+    paperStep(ray, start, along, kept, jitter, march, state);
     state.alpha = paperAlpha(march);
     if (1.0 - state.alpha < transmittanceThreshold || (FIRST_HIT_ONLY && frameHasHit(state)))
     {

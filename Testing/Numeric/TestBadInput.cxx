@@ -8,6 +8,7 @@
 #include "vtkOutputWindow.h"
 #include "vtkPlane.h"
 #include "vtkPolyData.h"
+#include "vtkTransform.h"
 
 #include <gtest/gtest.h>
 
@@ -266,16 +267,66 @@ TEST_F(BadInput, OtherBlendModesAreRefused)
     [](Scene& scene) { scene.Mapper->SetBlendModeToComposite(); });
 }
 
-TEST_F(BadInput, CroppingAndClippingAreRefused)
+TEST_F(BadInput, CroppingPlanesThatAreNoneAreRefused)
 {
+  const Change mend = [](Scene& scene) { scene.Mapper->CroppingOff(); };
+  for (double bad : { NaN, Infinity, -0.2 })
+  {
+    ExpectRefusal(
+      { "Cropping along y", "-0.1", "lower plane first", "SetCroppingRegionPlanes" },
+      [bad](Scene& scene) {
+        scene.Mapper->CroppingOn();
+        scene.Mapper->SetCroppingRegionPlanes(-0.3, 0.3, -0.1, bad, -0.3, 0.3);
+      },
+      mend);
+  }
+}
+
+TEST_F(BadInput, ClippingPlanesThatAreNoneAreRefused)
+{
+  const Change mend = [](Scene& scene) { scene.Mapper->RemoveAllClippingPlanes(); };
+  for (double bad : { NaN, Infinity, 0.0 })
+  {
+    ExpectRefusal(
+      { "Clipping plane 0", "normal", "finite" },
+      [bad](Scene& scene) {
+        vtkNew<vtkPlane> plane;
+        plane->SetNormal(0, bad, 0);
+        scene.Mapper->AddClippingPlane(plane);
+      },
+      mend);
+  }
   ExpectRefusal(
-    { "Cropping", "CroppingOff" }, [](Scene& scene) { scene.Mapper->CroppingOn(); },
-    [](Scene& scene) { scene.Mapper->CroppingOff(); });
+    { "Clipping plane 1", "origin", "finite" },
+    [](Scene& scene) {
+      vtkNew<vtkPlane> good, plane;
+      plane->SetOrigin(0, NaN, 0);
+      scene.Mapper->AddClippingPlane(good);
+      scene.Mapper->AddClippingPlane(plane);
+    },
+    mend);
   ExpectRefusal(
-    { "1 clipping plane", "RemoveAllClippingPlanes" },
+    { "vtkTransform", "SetTransform(nullptr)" },
     [](Scene& scene) {
       vtkNew<vtkPlane> plane;
+      plane->SetTransform(vtkNew<vtkTransform>());
       scene.Mapper->AddClippingPlane(plane);
+    },
+    mend);
+}
+
+TEST_F(BadInput, MoreClippingPlanesThanCanBeHonouredAreRefused)
+{
+  ExpectRefusal(
+    { "17 clipping planes", "16", "RemoveClippingPlane" },
+    [](Scene& scene) {
+      for (int i = 0; i < 20; ++i) // three of them touch nothing
+      {
+        vtkNew<vtkPlane> plane;
+        plane->SetNormal(0, 0, 1);
+        plane->SetOrigin(0, 0, -0.65 + 0.06 * i);
+        scene.Mapper->AddClippingPlane(plane);
+      }
     },
     [](Scene& scene) { scene.Mapper->RemoveAllClippingPlanes(); });
 }

@@ -67,8 +67,12 @@ class Refusals(unittest.TestCase):
         self.assert_refused(lambda: self.mapper.SetSampleDistance(math.nan),
                             lambda: self.mapper.SetSampleDistance(0), "nan", "SetSampleDistance")
 
-    def test_cropping_is_refused(self):
-        self.assert_refused(self.mapper.CroppingOn, self.mapper.CroppingOff, "CroppingOff")
+    def test_inverted_cropping_planes_are_refused(self):
+        def invert():
+            self.mapper.SetCroppingRegionPlanes(3, 1, 0, 2, 0, 2)
+            self.mapper.CroppingOn()
+
+        self.assert_refused(invert, self.mapper.CroppingOff, "lower plane first")
 
 
 if __name__ == "__main__":

@@ -296,3 +296,43 @@ TEST(Plan, NamesBothNumbersBeyondTheTextureLimit)
   EXPECT_NE(plan.Refusal.find("100"), std::string::npos) << plan.Refusal;
   EXPECT_NE(plan.Refusal.find("64"), std::string::npos) << plan.Refusal;
 }
+
+//------------------------------------------------------------------------------
+TEST(Plan, CutsByWhatTheSceneHasAndNothingElse)
+{
+  using Plane = vtkMediumCut::Plane;
+  const vtkMediumScene whole = MakeScene();
+  vtkMediumScene clipped = whole, cropped = whole;
+  clipped.Cut.Planes.assign(3, Plane());
+  cropped.Cut.Regions = 0x5;
+  for (int integrator : { Mapper::FixedStep, Mapper::ErrorControlled, Mapper::Exact })
+  {
+    const vtkMediumPlan plain(whole, With(integrator), Device());
+    EXPECT_TRUE(Reads(plain, "KeptInterval"));
+    EXPECT_FALSE(Reads(plain, "KeptRegions") || Reads(plain, "ClippingPlanes"));
+    EXPECT_FALSE(Has(plain, "CLIPPING_PLANES"));
+    const vtkMediumPlan byPlanes(clipped, With(integrator), Device());
+    EXPECT_TRUE(Reads(byPlanes, "KeptInterval") && Reads(byPlanes, "ClippingPlanes"));
+    EXPECT_TRUE(Has(byPlanes, "CLIPPING_PLANES 3"));
+    EXPECT_EQ(byPlanes.CachedLights, 0) << "a cache knows nothing of what is cut away";
+    const vtkMediumPlan byRegions(cropped, With(integrator), Device());
+    EXPECT_TRUE(Reads(byRegions, "KeptRegions"));
+    EXPECT_FALSE(Reads(byRegions, "KeptInterval") || Reads(byRegions, "ClippingPlanes"));
+    EXPECT_EQ(byRegions.CachedLights, 0);
+  }
+  clipped.Cut.Planes.assign(vtkMediumPlan::MostClippingPlanes + 1, Plane());
+  EXPECT_NE(
+    vtkMediumPlan(clipped, With(Mapper::Exact), Device()).Refusal.find("17"), std::string::npos);
+}
+
+//------------------------------------------------------------------------------
+// Each part of a ray ends with a step of its own, and the passes have room for them.
+TEST(Plan, HasStepsForEveryPartThatCroppingLeaves)
+{
+  vtkMediumScene cropped = MakeScene();
+  const vtkMediumPlan plain(cropped, With(Mapper::FixedStep), Device());
+  cropped.Cut.Regions = 0x5;
+  const vtkMediumPlan plan(cropped, With(Mapper::FixedStep), Device());
+  EXPECT_GE(
+    plan.Passes.back().LastStep, plain.Passes.back().LastStep + vtkMediumPlan::MostKeptParts);
+}
