@@ -13,6 +13,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <limits>
+#include <numeric>
 #include <sstream>
 
 namespace
@@ -39,7 +40,7 @@ vtkMediumPlan::vtkMediumPlan(
   const vtkMediumScene& scene, const Settings& settings, const Capabilities& device)
 {
   const bool paper = settings.Integrator == Mapper::Paper;
-  this->Fields = paper ? std::vector<vtkMediumField>{ scene.Scalars } : scene.Content.Fields;
+  this->Fields = paper ? PaperFields(scene) : scene.Content.Fields;
   this->Validate(settings, device);
   this->ValidateCut(scene.Cut);
   if (!this->Refusal.empty())
@@ -201,41 +202,6 @@ void vtkMediumPlan::SplitIntoPasses(
 }
 
 //------------------------------------------------------------------------------
-void vtkMediumPlan::PlanExact(const vtkMediumScene& scene, const Capabilities& device)
-{
-  glm::ivec3 longest(1);
-  for (bool onCells : { false, true })
-  {
-    for (const vtkMediumField& field : this->Fields)
-    {
-      if (field.OnCells == onCells)
-      {
-        const glm::dvec3 first = field.BoxToLattice(glm::dvec3(0));
-        const glm::dvec3 last = field.BoxToLattice(glm::dvec3(1));
-        // Linear between lattice points, or constant around each of them.
-        this->Lattices.push_back({ last - first, first + (field.Linear ? 0.0 : 0.5) });
-        longest += field.Dimensions;
-        break;
-      }
-    }
-  }
-  if (this->Lattices.empty())
-  {
-    this->Lattices.emplace_back(); // a homogeneous box is one cell
-  }
-  // A light at a time, for a part of a cell marches six light rays for each. Software renderers run
-  // eight pixels in lockstep, which at worst spend their iterations one after the other.
-  const int part = 6 * (longest.x + longest.y + longest.z + MostKeptParts);
-  const int lockstep = 8;
-  this->IterationBudget = std::max(device.LoopIterations / lockstep - part, 1);
-  const int lights = this->Lit ? static_cast<int>(scene.Lights.size()) : 0;
-  for (int light = 0; light < std::max(lights, 1); ++light)
-  {
-    this->Passes.push_back({ light, std::min(light + 1, lights), 0, 0 });
-  }
-}
-
-//------------------------------------------------------------------------------
 std::string vtkMediumPlan::OutputDefines(const Settings& settings) const
 {
   const bool depth = settings.Output == Mapper::Depth;
@@ -280,6 +246,9 @@ void vtkMediumPlan::ChooseProgram(
   {
     defines << "#define BINARY_SEARCH_ITERATIONS " << settings.BinarySearchIterations << "\n";
     defines << (settings.AssumeConvex ? "#define ASSUME_CONVEX\n" : "");
+    std::vector<int> masks(this->Fields.size() - 1);
+    std::iota(masks.begin(), masks.end(), 1); // behind the scalars
+    defines << vtkMediumStructure::MaskDefines(masks);
   }
   else
   {
@@ -301,7 +270,9 @@ void vtkMediumPlan::ChooseProgram(
     defines << vtkMediumStructure::ExactDefines(scene.Content);
     defines << "#define EXACT_PARTS " << ExactParts << "\n";
     defines << "#define LATTICE_COUNT " << this->Lattices.size() << "\n";
-    defines << (device.CoarseFilter ? "#define COARSE_FILTER\n" : "");
+    const bool linear = std::any_of(this->Fields.begin(), this->Fields.end(),
+      [](const vtkMediumField& field) { return field.Linear; });
+    defines << (device.CoarseFilter && linear ? "#define COARSE_FILTER\n" : "");
   }
   defines << vtkMediumStructure::CutDefines(scene.Cut);
   defines << vtkMediumStructure::LightDefines(scene.Lights);

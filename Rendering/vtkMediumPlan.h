@@ -157,6 +157,7 @@ private:
   void ValidateCut(const vtkMediumCut&);
   void ChooseSteps(const vtkMediumScene&, const Settings&);
   void PlanPaper(const vtkMediumScene&, const Settings&);
+  static std::vector<vtkMediumField> PaperFields(const vtkMediumScene&);
   void PlanErrorControlled(const vtkMediumScene&, const Settings&);
   void PlanExact(const vtkMediumScene&, const Capabilities&);
   std::string OutputDefines(const Settings&) const;

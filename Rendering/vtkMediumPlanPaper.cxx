@@ -110,3 +110,15 @@ void vtkMediumPlan::PlanPaper(const vtkMediumScene& scene, const Settings& setti
   }
   this->Filled = Homogeneous{ extinction, scattering };
 }
+
+//------------------------------------------------------------------------------
+// The scalars, and the masks behind them.
+std::vector<vtkMediumField> vtkMediumPlan::PaperFields(const vtkMediumScene& scene)
+{
+  std::vector<vtkMediumField> fields{ scene.Scalars };
+  for (int mask : scene.Content.Masks)
+  {
+    fields.push_back(scene.Content.Fields[mask]);
+  }
+  return fields;
+}

@@ -198,6 +198,7 @@ std::string vtkMediumRenderer::Gather(const Request& request)
   vtkMediumScene& scene = this->Scene;
   std::string refusal = scene.GatherVolume(request.Input, request.Scalars, request.ScalarsOnCells,
     request.Volume, request.Medium, request.Anisotropy);
+  refusal = refusal.empty() ? scene.GatherMask(request.Input, request.Mask) : refusal;
   refusal = refusal.empty() ? scene.GatherCut(request.Mapper, request.Volume) : refusal;
   if (!refusal.empty())
   {

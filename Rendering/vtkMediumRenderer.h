@@ -46,6 +46,7 @@ public:
     vtkVolume* Volume = nullptr;
     vtkImageData* Input = nullptr;
     vtkAbstractVolumeMapper* Mapper = nullptr; ///< whose clipping planes and cropping count
+    vtkImageData* Mask = nullptr;              ///< may be null
     vtkDataArray* Scalars = nullptr;
     bool ScalarsOnCells = false;
     vtkParticipatingMedium* Medium = nullptr; ///< null: the volume's property

@@ -121,6 +121,10 @@ vtkMediumSignature vtkMediumSignature::OfContentAndLights(const vtkMediumScene& 
   signature.Add(content.Scattering, content);
   signature.Add(content.ScatteringIsAlbedo);
   signature.Add(content.DensityScale);
+  for (int mask : content.Masks)
+  {
+    signature.Add(content.Fields[mask]);
+  }
   signature.Add(content.Phase);
   signature.Add(content.Anisotropy, content);
   signature.Add(content.BackAnisotropy);

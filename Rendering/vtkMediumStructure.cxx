@@ -45,11 +45,13 @@ std::string Expression(const vtkMediumScene::Coefficient& coefficient, const cha
 std::string vtkMediumStructure::ContentDefines(const vtkMediumScene::Medium& content)
 {
   std::ostringstream text;
+  const char* mask = content.Masks.empty() ? "" : " * MASK(box)";
+  text << MaskDefines(content.Masks);
   text << "#define FUNCTION_COUNT " << content.Functions.size() << "\n";
-  text << "#define EXTINCTION(box) " << Expression(content.Extinction, "extinctionScale", content)
-       << "\n";
-  text << "#define SCATTERING(box) " << Expression(content.Scattering, "scatteringScale", content)
-       << "\n";
+  text << "#define EXTINCTION(box) (" << Expression(content.Extinction, "extinctionScale", content)
+       << mask << ")\n";
+  text << "#define SCATTERING(box) (" << Expression(content.Scattering, "scatteringScale", content)
+       << (content.ScatteringIsAlbedo ? "" : mask) << ")\n";
   if (content.ExtinctionIsAbsorption)
   {
     text << "#define EXTINCTION_IS_ABSORPTION\n";
@@ -60,8 +62,8 @@ std::string vtkMediumStructure::ContentDefines(const vtkMediumScene::Medium& con
   }
   if (!content.Emission.IsZero())
   {
-    text << "#define EMISSION(box) " << Expression(content.Emission, "emissionScale", content)
-         << "\n";
+    text << "#define EMISSION(box) (" << Expression(content.Emission, "emissionScale", content)
+         << mask << ")\n";
   }
   text << "#define ANISOTROPY(box) " << Expression(content.Anisotropy, "anisotropyScale", content)
        << ".x\n";
@@ -89,6 +91,18 @@ std::string vtkMediumStructure::ExactDefines(const vtkMediumScene::Medium& conte
        << (extinction.Source == Coefficient::FunctionRGB ? ".rgb" : ".aaa")
        << " * extinctionScale)\n";
   return text.str();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkMediumStructure::MaskDefines(const std::vector<int>& textures)
+{
+  std::ostringstream text;
+  for (int texture : textures)
+  {
+    text << (text.tellp() == 0 ? "#define MASK(box) (" : " * ") << "fieldNearest(" << texture
+         << ", box)";
+  }
+  return textures.empty() ? std::string() : text.str() + ")\n";
 }
 
 //------------------------------------------------------------------------------

@@ -22,6 +22,8 @@ public:
   static std::string ContentDefines(const vtkMediumScene::Medium& content);
   /// How the Exact integrator takes the mean of the extinction over a segment.
   static std::string ExactDefines(const vtkMediumScene::Medium& content);
+  /// MASK, the product of masks that are the textures of these numbers; nothing where there are none.
+  static std::string MaskDefines(const std::vector<int>& textures);
   static std::string CutDefines(const vtkMediumCut& cut);
   static std::string LightDefines(const std::vector<vtkMediumScene::Light>& lights);
   /// Which formula PHASE is; `schlick` asks for Schlick's whatever the content says.

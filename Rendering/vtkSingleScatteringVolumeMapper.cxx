@@ -67,6 +67,7 @@ std::string vtkSingleScatteringVolumeMapper::Draw(vtkRenderer* renderer, vtkVolu
   request.Volume = volume;
   request.Input = vtkImageData::SafeDownCast(this->GetDataObjectInput());
   request.Mapper = this;
+  request.Mask = this->MaskInput;
   int onCells = 0;
   request.Scalars = vtkVolumeMapper::GetScalars(request.Input, this->ScalarMode,
     this->ArrayAccessMode, this->ArrayId, this->ArrayName, onCells);
@@ -179,6 +180,22 @@ void vtkSingleScatteringVolumeMapper::SetMedium(vtkParticipatingMedium* medium)
 }
 
 //------------------------------------------------------------------------------
+void vtkSingleScatteringVolumeMapper::SetMaskInput(vtkImageData* mask)
+{
+  if (this->MaskInput != mask)
+  {
+    this->MaskInput = mask;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkSingleScatteringVolumeMapper::GetMaskInput()
+{
+  return this->MaskInput;
+}
+
+//------------------------------------------------------------------------------
 vtkParticipatingMedium* vtkSingleScatteringVolumeMapper::GetMedium()
 {
   return this->Medium;
@@ -193,8 +210,9 @@ vtkMediumStatistics* vtkSingleScatteringVolumeMapper::GetStatistics()
 //------------------------------------------------------------------------------
 vtkMTimeType vtkSingleScatteringVolumeMapper::GetMTime()
 {
-  const vtkMTimeType own = this->Superclass::GetMTime();
-  return this->Medium ? std::max(own, this->Medium->GetMTime()) : own;
+  vtkMTimeType time = this->Superclass::GetMTime();
+  time = this->Medium ? std::max(time, this->Medium->GetMTime()) : time;
+  return this->MaskInput ? std::max(time, this->MaskInput->GetMTime()) : time;
 }
 
 //------------------------------------------------------------------------------
@@ -215,6 +233,7 @@ void vtkSingleScatteringVolumeMapper::ReleaseGraphicsResources(vtkWindow* window
 void vtkSingleScatteringVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "MaskInput: " << this->MaskInput.Get() << "\n";
   os << indent << "Medium: " << this->Medium.Get() << "\n";
   os << indent << "Anisotropy: " << this->Anisotropy << "\n";
   os << indent << "PhaseFunction: " << this->PhaseFunction << "\n";

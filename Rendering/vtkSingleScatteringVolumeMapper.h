@@ -130,6 +130,17 @@ public:
   ///@}
 
   ///@{
+  /// Where nothing is: an image of the input's dimensions whose point or cell scalars, one component of
+  /// unsigned char, are 0 where there is no medium, for eye rays and light rays. A voxel is taken out as a
+  /// whole, with a sharp border: a cell, or what is nearest to a point; the data are interpolated as if
+  /// there were no mask. The input's ghosts (vtkGhostType other than 0, as vtkUniformGrid::BlankPoint and
+  /// BlankCell set it) are left out by the same rule; call Modified() on the input after blanking. An
+  /// image of other dimensions or another type is an error at the next Render. Default: none.
+  void SetMaskInput(vtkImageData* mask);
+  vtkImageData* GetMaskInput();
+  ///@}
+
+  ///@{
   /// Mean cosine g of the phase function when no medium is set, -1 (back) to 1 (forward), and which
   /// phase function it parametrises. |g| > 0.999 is taken as 0.999. Default: 0, isotropic. Outside
   /// [-1, 1], or NaN: an error at the next Render.
@@ -326,6 +337,7 @@ private:
   std::string Draw(vtkRenderer* renderer, vtkVolume* volume);
   std::string CheckContract();
 
+  vtkSmartPointer<vtkImageData> MaskInput;
   vtkSmartPointer<vtkParticipatingMedium> Medium;
   double Anisotropy = 0;
   int PhaseFunction = HenyeyGreenstein;

@@ -27,7 +27,7 @@ vtkMediumOpticalDepth::vtkMediumOpticalDepth(
   , Tolerance(LeastShare * tolerance)
 {
   const vtkMediumScene::Medium& medium = content.GetMedium();
-  if (!medium.ExtinctionIsAbsorption && !medium.Extinction.IsConstant())
+  if (!medium.ExtinctionIsAbsorption && !medium.Extinction.IsConstant() && medium.Masks.empty())
   {
     this->Component = content.GetGreyComponent(medium.Extinction);
     if (medium.Extinction.Source != vtkMediumScene::Coefficient::Field)

@@ -17,20 +17,25 @@ bool IsFunction(const Coefficient& coefficient)
 }
 
 //------------------------------------------------------------------------------
-// Enters the coefficient's field in the list of those that are read, and counts it by that list.
-void UseField(std::vector<int>& fields, Coefficient& coefficient)
+// Enters a field in the list of those that are read, and counts it by that list.
+void UseField(std::vector<int>& fields, int& field)
 {
-  if (coefficient.IsConstant())
-  {
-    return;
-  }
-  const auto found = std::find(fields.begin(), fields.end(), coefficient.FieldIndex);
+  const auto found = std::find(fields.begin(), fields.end(), field);
   const int index = static_cast<int>(found - fields.begin());
   if (found == fields.end())
   {
-    fields.push_back(coefficient.FieldIndex);
+    fields.push_back(field);
   }
-  coefficient.FieldIndex = index;
+  field = index;
+}
+
+//------------------------------------------------------------------------------
+void UseField(std::vector<int>& fields, Coefficient& coefficient)
+{
+  if (!coefficient.IsConstant())
+  {
+    UseField(fields, coefficient.FieldIndex);
+  }
 }
 }
 
@@ -68,6 +73,10 @@ void vtkMediumReferenceContent::Update(const vtkMediumScene& scene)
     UseField(fields, medium.Scattering);
     this->ExtinctionCubic = this->ExtinctionCubic && !IsFunction(medium.Scattering) &&
       (!medium.ScatteringIsAlbedo || medium.Scattering.IsConstant());
+  }
+  for (int& mask : medium.Masks) // constant in a voxel: what is cubic stays so
+  {
+    UseField(fields, mask);
   }
   this->ExtinctionFields = static_cast<int>(fields.size());
   if (!medium.ExtinctionIsAbsorption)
@@ -126,10 +135,21 @@ glm::dvec3 vtkMediumReferenceContent::EvaluateCoefficient(
 }
 
 //------------------------------------------------------------------------------
+double vtkMediumReferenceContent::EvaluateDensity(const glm::dvec4* fields) const
+{
+  double density = this->Medium.DensityScale;
+  for (int mask : this->Medium.Masks)
+  {
+    density *= fields[mask].x;
+  }
+  return density;
+}
+
+//------------------------------------------------------------------------------
 glm::dvec3 vtkMediumReferenceContent::EvaluateExtinction(
   const glm::dvec4* fields, glm::dvec3& scattering) const
 {
-  const double density = this->Medium.DensityScale;
+  const double density = this->EvaluateDensity(fields);
   glm::dvec3 extinction = density * this->EvaluateCoefficient(this->Medium.Extinction, fields);
   scattering = this->EvaluateCoefficient(this->Medium.Scattering, fields);
   if (!this->Medium.ScatteringIsAlbedo)
@@ -151,7 +171,8 @@ glm::dvec3 vtkMediumReferenceContent::EvaluateExtinction(const glm::dvec4* field
 {
   if (!this->Medium.ExtinctionIsAbsorption)
   {
-    return this->Medium.DensityScale * this->EvaluateCoefficient(this->Medium.Extinction, fields);
+    return this->EvaluateDensity(fields) *
+      this->EvaluateCoefficient(this->Medium.Extinction, fields);
   }
   glm::dvec3 scattering;
   return this->EvaluateExtinction(fields, scattering);
@@ -163,7 +184,7 @@ vtkMediumScene::Coefficients vtkMediumReferenceContent::Evaluate(const glm::dvec
   vtkMediumScene::Coefficients result;
   result.Extinction = this->EvaluateExtinction(fields, result.Scattering);
   result.Emission =
-    this->Medium.DensityScale * this->EvaluateCoefficient(this->Medium.Emission, fields);
+    this->EvaluateDensity(fields) * this->EvaluateCoefficient(this->Medium.Emission, fields);
   result.Anisotropy = this->EvaluateCoefficient(this->Medium.Anisotropy, fields).x;
   return result;
 }

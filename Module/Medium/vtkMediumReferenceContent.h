@@ -67,6 +67,7 @@ private:
   glm::dvec3 EvaluateCoefficient(
     const vtkMediumScene::Coefficient& coefficient, const glm::dvec4* fields) const;
   glm::dvec3 EvaluateExtinction(const glm::dvec4* fields, glm::dvec3& scattering) const;
+  double EvaluateDensity(const glm::dvec4* fields) const;
 
   vtkMediumScene::Medium Medium;
   std::vector<std::unique_ptr<vtkMediumLatticeValues>> Values;
@@ -80,8 +81,9 @@ private:
 class vtkMediumRayCells
 {
 public:
-  /// At most so many fields: one for each of extinction, scattering, emission and anisotropy.
-  static constexpr int MaximumFields = 4;
+  /// At most so many fields: one for each of extinction, scattering, emission and anisotropy, and masks on
+  /// points and on cells.
+  static constexpr int MaximumFields = 6;
 
   /// Over the first `fields` fields of the content.
   vtkMediumRayCells(const vtkMediumReferenceContent& content, int fields,

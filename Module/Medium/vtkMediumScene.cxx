@@ -153,6 +153,18 @@ std::string vtkMediumScene::GatherVolume(vtkImageData* input, vtkDataArray* scal
 }
 
 //------------------------------------------------------------------------------
+std::string vtkMediumScene::GatherMask(vtkImageData* input, vtkImageData* mask)
+{
+  const std::string problem = this->Mask.Gather(input, mask);
+  for (const vtkMediumField& field : this->Mask.Fields)
+  {
+    this->Content.Masks.push_back(static_cast<int>(this->Content.Fields.size()));
+    this->Content.Fields.push_back(field);
+  }
+  return problem;
+}
+
+//------------------------------------------------------------------------------
 std::string vtkMediumScene::GatherCut(vtkAbstractVolumeMapper* mapper, vtkVolume* volume)
 {
   const Box& box = this->Geometry;
@@ -249,16 +261,21 @@ vtkMediumScene::Coefficients vtkMediumScene::Evaluate(const glm::dvec3& box) con
     fields.push_back(field.Interpolate(box));
   }
   const Medium& content = this->Content;
+  double density = content.DensityScale;
+  for (int mask : content.Masks)
+  {
+    density *= fields[mask].x;
+  }
   Coefficients result;
-  result.Extinction = content.DensityScale * this->EvaluateCoefficient(content.Extinction, fields);
+  result.Extinction = density * this->EvaluateCoefficient(content.Extinction, fields);
   const glm::dvec3 scattering = this->EvaluateCoefficient(content.Scattering, fields);
   result.Scattering =
-    content.ScatteringIsAlbedo ? scattering * result.Extinction : content.DensityScale * scattering;
+    content.ScatteringIsAlbedo ? scattering * result.Extinction : density * scattering;
   if (content.ExtinctionIsAbsorption)
   {
     result.Extinction += result.Scattering;
   }
-  result.Emission = content.DensityScale * this->EvaluateCoefficient(content.Emission, fields);
+  result.Emission = density * this->EvaluateCoefficient(content.Emission, fields);
   result.Anisotropy = this->EvaluateCoefficient(content.Anisotropy, fields).x;
   return result;
 }

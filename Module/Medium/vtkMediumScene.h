@@ -24,6 +24,7 @@
 #include "vtkMediumCut.h"
 #include "vtkMediumField.h"
 #include "vtkMediumFunction.h"
+#include "vtkMediumMask.h"
 
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
@@ -119,6 +120,7 @@ public:
     bool ScatteringIsAlbedo = true;
     Coefficient Emission;    ///< sigma_e, radiance per world unit
     double DensityScale = 1; ///< multiplies extinction, scattering and emission
+    std::vector<int> Masks;  ///< fields of 0 and 1 that do so too, voxel by voxel
 
     Phases Phase = HenyeyGreenstein;
     Coefficient Anisotropy;         ///< g (SchlickK: k) of the first lobe; one value or a field
@@ -184,6 +186,9 @@ public:
   std::string GatherVolume(vtkImageData* input, vtkDataArray* scalars, bool onCells,
     vtkVolume* volume, vtkParticipatingMedium* medium, double anisotropy);
 
+  /// Adds what leaves voxels out: the input's ghosts, and a mask, which may be null. After GatherVolume.
+  std::string GatherMask(vtkImageData* input, vtkImageData* mask);
+
   /// Gathers clipping planes and cropping from a mapper, which may be null. After GatherVolume.
   std::string GatherCut(vtkAbstractVolumeMapper* mapper, vtkVolume* volume);
 
@@ -214,6 +219,7 @@ public:
 
 private:
   std::vector<ColorTable> ColorTables;
+  vtkMediumMask Mask;
 
   glm::dvec3 EvaluateCoefficient(
     const Coefficient& coefficient, const std::vector<glm::dvec4>& fields) const;

@@ -73,6 +73,7 @@ vtkSingleScatteringReference::~vtkSingleScatteringReference() = default;
 
 // clang-format off
 vtkSingleScatteringReferenceObjectMacro(InputData, vtkImageData)
+vtkSingleScatteringReferenceObjectMacro(MaskInput, vtkImageData)
 vtkSingleScatteringReferenceObjectMacro(Medium, vtkParticipatingMedium)
 vtkSingleScatteringReferenceObjectMacro(Volume, vtkVolume)
 vtkSingleScatteringReferenceObjectMacro(Renderer, vtkRenderer)
@@ -242,6 +243,7 @@ void vtkSingleScatteringReference::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "InputData: " << this->InputData << "\n";
+  os << indent << "MaskInput: " << this->MaskInput << "\n";
   os << indent << "Medium: " << this->Medium << "\n";
   os << indent << "Volume: " << this->Volume << "\n";
   os << indent << "Renderer: " << this->Renderer << "\n";

@@ -73,6 +73,12 @@ public:
   ///@}
 
   ///@{
+  /// Where nothing is: as vtkSingleScatteringVolumeMapper::SetMaskInput documents it. Default: none.
+  void SetMaskInput(vtkImageData* mask);
+  vtkImageData* GetMaskInput();
+  ///@}
+
+  ///@{
   /// What fills the volume. If none is set, it is the volume's property.
   void SetMedium(vtkParticipatingMedium* medium);
   vtkParticipatingMedium* GetMedium();
@@ -173,6 +179,7 @@ private:
   double EstimatePeak(const int size[2]);
 
   vtkSmartPointer<vtkImageData> InputData;
+  vtkSmartPointer<vtkImageData> MaskInput;
   vtkSmartPointer<vtkParticipatingMedium> Medium;
   vtkSmartPointer<vtkVolume> Volume;
   vtkSmartPointer<vtkRenderer> Renderer;

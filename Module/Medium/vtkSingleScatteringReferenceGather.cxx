@@ -27,6 +27,7 @@ vtkMTimeType vtkSingleScatteringReference::GetMTime()
     time = object ? std::max(time, object->GetMTime()) : time;
   };
   include(this->FindInput());
+  include(this->MaskInput);
   include(this->Medium);
   if (this->Volume)
   {
@@ -100,6 +101,7 @@ std::string vtkSingleScatteringReference::GatherMedium()
   const bool onCells = cellFlag != 0;
   std::string problem = this->Scene->Facts.GatherVolume(
     input, scalars, onCells, volume, this->Medium, this->Anisotropy);
+  problem = problem.empty() ? this->Scene->Facts.GatherMask(input, this->MaskInput) : problem;
   problem = problem.empty() ? this->Scene->Facts.GatherCut(mapper, volume) : problem;
   if (problem.empty())
   {

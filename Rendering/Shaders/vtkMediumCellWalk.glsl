@@ -3,8 +3,8 @@
 //
 // Where a ray crosses the faces of the cells in which the fields are smooth.
 
-// Box coordinate to a coordinate that is an integer on the faces: one for the fields on points, one for
-// those on cells, where there are both.
+// Box coordinate to a coordinate that is an integer on the faces: one for each kind of field that there is,
+// on points or on cells, linear or nearest.
 uniform vec3 latticeScale[LATTICE_COUNT];
 uniform vec3 latticeBias[LATTICE_COUNT];
 
@@ -36,6 +36,14 @@ float cellWalkNext(vec3 start, vec3 along, float t, float end)
 #if LATTICE_COUNT > 1
   next = cellWalkLattice(
     start * latticeScale[1] + latticeBias[1], along * latticeScale[1], t, next);
+#endif
+#if LATTICE_COUNT > 2
+  next = cellWalkLattice(
+    start * latticeScale[2] + latticeBias[2], along * latticeScale[2], t, next);
+#endif
+#if LATTICE_COUNT > 3
+  next = cellWalkLattice(
+    start * latticeScale[3] + latticeBias[3], along * latticeScale[3], t, next);
 #endif
   return next;
 }

@@ -27,6 +27,9 @@ SPECTRUM exactCellDepth(vec3 start, vec3 along, float a, float b)
     last = here;
   }
   COUNT(2 * EXACT_PARTS + 1);
+#ifdef MASK
+  sum *= MASK(start + 0.5 * (a + b) * along); // the same in all of a cell
+#endif
   return sum * (b - a) / float(EXACT_PARTS);
 #else
   float middle = 0.5 * (a + b);

@@ -38,5 +38,9 @@ vec4 fieldInterpolate(sampler3D field, vec3 coordinate)
 #define fieldTexel(number, box)                                                                    \
   (fieldInterpolate(fields[number], (box) * fieldScale[number] + fieldBias[number]) *              \
     fieldTexelScale[number])
+// Of a mask: its texel, whose border is that of its voxel.
+#define fieldNearest(number, box)                                                                  \
+  (texture(fields[number], (box) * fieldScale[number] + fieldBias[number]).r *                     \
+    fieldTexelScale[number])
 #define fieldValue(number, box) (fieldTexel(number, box) * fieldRange[number] + fieldMinimum[number])
 #endif

@@ -9,6 +9,12 @@ uniform float paperThreshold; // of the field's texel
 bool paperFilled(vec3 box)
 {
   COUNT(1);
+#ifdef MASK
+  if (MASK(box) < 0.5)
+  {
+    return false;
+  }
+#endif
   return fieldTexel(0, box).r >= paperThreshold;
 }
 

@@ -11,6 +11,8 @@
 
 #include "vtkPlane.h"
 
+#include <ostream>
+
 namespace vtkMediumTest
 {
 inline vtkSmartPointer<vtkPlane> AddPlane(
@@ -37,6 +39,11 @@ struct Cut
   const char* Name; ///< of letters
   void (*Apply)(Scene& scene);
 };
+
+inline void PrintTo(const Cut& cut, std::ostream* os)
+{
+  *os << cut.Name;
+}
 
 /// Between them: half-spaces alone, regions alone, and both.
 inline const std::vector<Cut>& Cuts()

@@ -373,3 +373,25 @@ TEST_F(BadInput, LightsWithoutMeaningAreRefused)
     },
     mend);
 }
+
+TEST_F(BadInput, MasksThatDoNotFitAreRefused)
+{
+  const Change mend = [](Scene& scene) { scene.Mapper->SetMaskInput(nullptr); };
+  const auto spoil = [](const glm::ivec3& points, int type, int components) {
+    return [=](Scene& scene) {
+      vtkNew<vtkImageData> mask;
+      mask->SetDimensions(points.x, points.y, points.z);
+      if (components > 0)
+      {
+        mask->AllocateScalars(type, components);
+      }
+      scene.Mapper->SetMaskInput(mask);
+    };
+  };
+  ExpectRefusal({ "mask", "3 x 4 x 6", "3 x 4 x 5", "SetMaskInput" },
+    spoil({ 3, 4, 6 }, VTK_UNSIGNED_CHAR, 1), mend);
+  ExpectRefusal({ "mask", "float", "unsigned char" }, spoil({ 3, 4, 5 }, VTK_FLOAT, 1), mend);
+  ExpectRefusal(
+    { "mask", "2 components", "unsigned char" }, spoil({ 3, 4, 5 }, VTK_UNSIGNED_CHAR, 2), mend);
+  ExpectRefusal({ "mask", "no scalars", "unsigned char" }, spoil({ 3, 4, 5 }, 0, 0), mend);
+}

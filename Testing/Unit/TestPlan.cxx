@@ -336,3 +336,37 @@ TEST(Plan, HasStepsForEveryPartThatCroppingLeaves)
   EXPECT_GE(
     plan.Passes.back().LastStep, plain.Passes.back().LastStep + vtkMediumPlan::MostKeptParts);
 }
+
+//------------------------------------------------------------------------------
+TEST(Plan, LeavesVoxelsOutOnlyWhereThereIsAMask)
+{
+  const vtkMediumScene whole = MakeScene();
+  vtkMediumScene masked = whole;
+  vtkMediumField mask = whole.Content.Fields[0];
+  mask.Linear = false;
+  masked.Content.Masks.push_back(1);
+  masked.Content.Fields.push_back(mask);
+  for (int integrator :
+    { Mapper::Paper, Mapper::FixedStep, Mapper::ErrorControlled, Mapper::Exact })
+  {
+    Settings settings = With(integrator);
+    settings.Output = integrator == Mapper::Paper ? Mapper::Distance : Mapper::Radiance;
+    vtkMediumScene constant = masked;
+    constant.Content.Extinction = Coefficient();
+    constant.Content.Extinction.Scale = glm::dvec3(1);
+    const bool paper = integrator == Mapper::Paper;
+    const vtkMediumPlan plan(paper ? constant : masked, settings, Device());
+    ASSERT_TRUE(plan.Refusal.empty()) << plan.Refusal;
+    EXPECT_TRUE(Has(plan, "MASK(box) (fieldNearest(1, box))"));
+    EXPECT_EQ(plan.Fields.size(), 2u);
+    EXPECT_EQ(plan.CachedLights, 0);
+    if (integrator == Mapper::Exact)
+    {
+      EXPECT_EQ(plan.Lattices.size(), 2u) << "voxels have other borders than linear cells";
+    }
+    if (!paper)
+    {
+      EXPECT_FALSE(Has(vtkMediumPlan(whole, settings, Device()), "MASK"));
+    }
+  }
+}
