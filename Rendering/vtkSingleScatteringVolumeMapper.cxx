@@ -19,6 +19,31 @@
 #include <algorithm>
 #include <sstream>
 
+namespace
+{
+//------------------------------------------------------------------------------
+const char* NameOfBlendMode(vtkVolumeMapper& mapper)
+{
+  switch (mapper.GetBlendMode())
+  {
+    case vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND:
+      return "maximum intensity";
+    case vtkVolumeMapper::MINIMUM_INTENSITY_BLEND:
+      return "minimum intensity";
+    case vtkVolumeMapper::AVERAGE_INTENSITY_BLEND:
+      return "average intensity";
+    case vtkVolumeMapper::ADDITIVE_BLEND:
+      return "additive";
+    case vtkVolumeMapper::ISOSURFACE_BLEND:
+      return "isosurface";
+    case vtkVolumeMapper::SLICE_BLEND:
+      return "slice";
+    default:
+      return "unknown";
+  }
+}
+}
+
 vtkStandardNewMacro(vtkSingleScatteringVolumeMapper);
 
 //------------------------------------------------------------------------------
@@ -124,8 +149,10 @@ std::string vtkSingleScatteringVolumeMapper::CheckContract()
   }
   else if (this->GetBlendMode() != vtkVolumeMapper::COMPOSITE_BLEND)
   {
-    text << "The blend mode is " << this->GetBlendMode()
-         << ", but a participating medium has only composite blending (SetBlendModeToComposite).";
+    text << "The blend mode is " << this->GetBlendMode() << " (" << NameOfBlendMode(*this)
+         << "), but a participating medium has only composite blending (SetBlendModeToComposite); "
+            "what light loses along a ray is an output, Transmittance or OpticalDepth "
+            "(SetOutputToTransmittance, SetOutputToOpticalDepth).";
   }
   return text.str();
 }

@@ -3,6 +3,7 @@
 #include "vtkMediumMask.h"
 
 #include "vtkCellData.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 
@@ -11,6 +12,26 @@
 
 namespace
 {
+//------------------------------------------------------------------------------
+vtkUnsignedCharArray* GhostsOf(vtkDataSetAttributes* data)
+{
+  return vtkUnsignedCharArray::SafeDownCast(
+    data->GetAbstractArray(vtkDataSetAttributes::GhostArrayName()));
+}
+
+//------------------------------------------------------------------------------
+std::string FindGhostProblem(vtkUnsignedCharArray* ghosts, vtkIdType expected, const char* what)
+{
+  std::ostringstream text;
+  if (ghosts && ghosts->GetNumberOfTuples() != expected)
+  {
+    text << "The array " << ghosts->GetName() << " has " << ghosts->GetNumberOfTuples()
+         << " tuples, but the image has " << expected << ' ' << what
+         << "; give one tuple for each.";
+  }
+  return text.str();
+}
+
 //------------------------------------------------------------------------------
 // Empty, or why the image is no mask of the input.
 std::string FindProblem(vtkImageData* input, vtkImageData* mask)
@@ -109,7 +130,12 @@ void vtkMediumMask::Append(const Lattice& lattice, vtkImageData* input, bool onC
 std::string vtkMediumMask::Gather(vtkImageData* input, vtkImageData* mask)
 {
   this->Fields.clear();
-  const std::string problem = mask ? FindProblem(input, mask) : std::string();
+  Source pointGhosts(GhostsOf(input->GetPointData()), input);
+  Source cellGhosts(GhostsOf(input->GetCellData()), input);
+  std::string problem = FindGhostProblem(pointGhosts.Array, input->GetNumberOfPoints(), "points");
+  problem = problem.empty() ? FindGhostProblem(cellGhosts.Array, input->GetNumberOfCells(), "cells")
+                            : problem;
+  problem = problem.empty() && mask ? FindProblem(input, mask) : problem;
   if (!problem.empty())
   {
     return problem;
@@ -121,8 +147,8 @@ std::string vtkMediumMask::Gather(vtkImageData* input, vtkImageData* mask)
     onCells =
       onPoints ? nullptr : vtkUnsignedCharArray::SafeDownCast(mask->GetCellData()->GetScalars());
   }
-  this->Points.Update(Source(input->GetPointGhostArray(), input), Source(onPoints, mask));
-  this->Cells.Update(Source(input->GetCellGhostArray(), input), Source(onCells, mask));
+  this->Points.Update(pointGhosts, Source(onPoints, mask));
+  this->Cells.Update(cellGhosts, Source(onCells, mask));
   this->Append(this->Points, input, false);
   this->Append(this->Cells, input, true);
   return {};

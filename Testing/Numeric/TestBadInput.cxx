@@ -2,99 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What cannot be drawn is refused by one error that names the value and the way out; the background
 // stays, and the next valid frame is that of a fresh mapper.
-#include "ClosedForms.h"
+#include "BadInput.h"
 
 #include "vtkMatrix4x4.h"
-#include "vtkOutputWindow.h"
-#include "vtkPlane.h"
 #include "vtkPolyData.h"
-#include "vtkTransform.h"
-
-#include <gtest/gtest.h>
-
-#include <limits>
 
 using namespace vtkMediumTest;
 
 namespace
 {
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-
-/// Counts the errors that VTK's other classes print.
-class CountingWindow : public vtkOutputWindow
-{
-public:
-  static CountingWindow* New();
-  vtkTypeMacro(CountingWindow, vtkOutputWindow);
-  void DisplayErrorText(const char* text) override { this->Errors.emplace_back(text); }
-  void DisplayWarningText(const char*) override {}
-  void DisplayText(const char*) override {}
-  std::vector<std::string> Errors;
-};
-vtkStandardNewMacro(CountingWindow);
-
-/// A valid scene that a test spoils and mends.
-struct ValidScene : Scene
-{
-  explicit ValidScene(bool paper = false)
-    : Scene(MakeBox(), 12)
-  {
-    this->Mapper->SetIntegrator(
-      paper ? vtkSingleScatteringVolumeMapper::Paper : vtkSingleScatteringVolumeMapper::FixedStep);
-    this->Renderer->SetBackground(0.2, 0.4, 0.6);
-    this->AddBeam({ 0.3, -1, -0.2 });
-  }
-};
-
-using Change = std::function<void(Scene&)>;
-
-class BadInput : public ::testing::Test
-{
-protected:
-  void SetUp() override
-  {
-    this->Before = vtkOutputWindow::GetInstance();
-    vtkOutputWindow::SetInstance(this->Other);
-  }
-  void TearDown() override { vtkOutputWindow::SetInstance(this->Before); }
-
-  /// Spoils a scene: exactly one error with all of `words`, the background unchanged, frame after frame;
-  /// then mends it: the frame of a fresh mapper.
-  void ExpectRefusal(const std::vector<std::string>& words, const Change& spoil, const Change& mend,
-    bool paper = false)
-  {
-    ValidScene scene(paper);
-    scene.Volume->VisibilityOff();
-    const std::vector<unsigned char> background = scene.RenderWindow();
-    scene.Volume->VisibilityOn();
-    spoil(scene);
-    EXPECT_EQ(background, scene.RenderWindow());
-    EXPECT_EQ(background, scene.RenderWindow()); // a cause that persists is reported once
-    EXPECT_EQ(scene.Errors.size(), 1u);
-    EXPECT_EQ(this->Other->Errors.size(), 0u)
-      << (this->Other->Errors.empty() ? std::string() : this->Other->Errors[0]);
-    for (const std::string& word : words)
-    {
-      const std::string said = scene.Errors.empty() ? std::string() : scene.Errors[0];
-      EXPECT_NE(said.find(word), std::string::npos) << "'" << word << "' is not in: " << said;
-    }
-    mend(scene);
-    ValidScene fresh(paper);
-    EXPECT_EQ(fresh.Render().Values, scene.Render().Values);
-    EXPECT_EQ(fresh.RenderWindow(), scene.RenderWindow());
-    EXPECT_NE(background, scene.RenderWindow());
-    EXPECT_LE(scene.Errors.size(), 1u);
-    // The cause comes back: it is said again.
-    spoil(scene);
-    scene.RenderWindow();
-    EXPECT_EQ(scene.Errors.size(), 2u);
-  }
-
-  vtkNew<CountingWindow> Other;
-  vtkSmartPointer<vtkOutputWindow> Before;
-};
-
 const Change MendImage = [](Scene& scene) { scene.Mapper->SetInputData(MakeBox()); };
 }
 
@@ -261,74 +177,16 @@ TEST_F(BadInput, PaperWithoutLightIsRefused)
 
 TEST_F(BadInput, OtherBlendModesAreRefused)
 {
-  ExpectRefusal(
-    { "blend mode is 1", "SetBlendModeToComposite" },
-    [](Scene& scene) { scene.Mapper->SetBlendModeToMaximumIntensity(); },
-    [](Scene& scene) { scene.Mapper->SetBlendModeToComposite(); });
-}
-
-TEST_F(BadInput, CroppingPlanesThatAreNoneAreRefused)
-{
-  const Change mend = [](Scene& scene) { scene.Mapper->CroppingOff(); };
-  for (double bad : { NaN, Infinity, -0.2 })
+  const char* names[] = { "maximum intensity", "minimum intensity", "average intensity", "additive",
+    "isosurface", "slice" };
+  for (int mode = vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND; mode <= vtkVolumeMapper::SLICE_BLEND;
+       ++mode)
   {
     ExpectRefusal(
-      { "Cropping along y", "-0.1", "lower plane first", "SetCroppingRegionPlanes" },
-      [bad](Scene& scene) {
-        scene.Mapper->CroppingOn();
-        scene.Mapper->SetCroppingRegionPlanes(-0.3, 0.3, -0.1, bad, -0.3, 0.3);
-      },
-      mend);
+      { names[mode - 1], "SetBlendModeToComposite", "SetOutputToTransmittance" },
+      [mode](Scene& scene) { scene.Mapper->SetBlendMode(mode); },
+      [](Scene& scene) { scene.Mapper->SetBlendModeToComposite(); });
   }
-}
-
-TEST_F(BadInput, ClippingPlanesThatAreNoneAreRefused)
-{
-  const Change mend = [](Scene& scene) { scene.Mapper->RemoveAllClippingPlanes(); };
-  for (double bad : { NaN, Infinity, 0.0 })
-  {
-    ExpectRefusal(
-      { "Clipping plane 0", "normal", "finite" },
-      [bad](Scene& scene) {
-        vtkNew<vtkPlane> plane;
-        plane->SetNormal(0, bad, 0);
-        scene.Mapper->AddClippingPlane(plane);
-      },
-      mend);
-  }
-  ExpectRefusal(
-    { "Clipping plane 1", "origin", "finite" },
-    [](Scene& scene) {
-      vtkNew<vtkPlane> good, plane;
-      plane->SetOrigin(0, NaN, 0);
-      scene.Mapper->AddClippingPlane(good);
-      scene.Mapper->AddClippingPlane(plane);
-    },
-    mend);
-  ExpectRefusal(
-    { "vtkTransform", "SetTransform(nullptr)" },
-    [](Scene& scene) {
-      vtkNew<vtkPlane> plane;
-      plane->SetTransform(vtkNew<vtkTransform>());
-      scene.Mapper->AddClippingPlane(plane);
-    },
-    mend);
-}
-
-TEST_F(BadInput, MoreClippingPlanesThanCanBeHonouredAreRefused)
-{
-  ExpectRefusal(
-    { "17 clipping planes", "16", "RemoveClippingPlane" },
-    [](Scene& scene) {
-      for (int i = 0; i < 20; ++i) // three of them touch nothing
-      {
-        vtkNew<vtkPlane> plane;
-        plane->SetNormal(0, 0, 1);
-        plane->SetOrigin(0, 0, -0.65 + 0.06 * i);
-        scene.Mapper->AddClippingPlane(plane);
-      }
-    },
-    [](Scene& scene) { scene.Mapper->RemoveAllClippingPlanes(); });
 }
 
 TEST_F(BadInput, SingularMatrixIsRefused)
@@ -372,26 +230,4 @@ TEST_F(BadInput, LightsWithoutMeaningAreRefused)
       light->SetAttenuationValues(0, 0, 0);
     },
     mend);
-}
-
-TEST_F(BadInput, MasksThatDoNotFitAreRefused)
-{
-  const Change mend = [](Scene& scene) { scene.Mapper->SetMaskInput(nullptr); };
-  const auto spoil = [](const glm::ivec3& points, int type, int components) {
-    return [=](Scene& scene) {
-      vtkNew<vtkImageData> mask;
-      mask->SetDimensions(points.x, points.y, points.z);
-      if (components > 0)
-      {
-        mask->AllocateScalars(type, components);
-      }
-      scene.Mapper->SetMaskInput(mask);
-    };
-  };
-  ExpectRefusal({ "mask", "3 x 4 x 6", "3 x 4 x 5", "SetMaskInput" },
-    spoil({ 3, 4, 6 }, VTK_UNSIGNED_CHAR, 1), mend);
-  ExpectRefusal({ "mask", "float", "unsigned char" }, spoil({ 3, 4, 5 }, VTK_FLOAT, 1), mend);
-  ExpectRefusal(
-    { "mask", "2 components", "unsigned char" }, spoil({ 3, 4, 5 }, VTK_UNSIGNED_CHAR, 2), mend);
-  ExpectRefusal({ "mask", "no scalars", "unsigned char" }, spoil({ 3, 4, 5 }, 0, 0), mend);
 }
