@@ -158,6 +158,7 @@ void vtkMediumAccelerator::ProjectTiles(const vtkMediumScene& scene, const glm::
 {
   vtkMediumBricks::Tiles tiles = this->Bricks.ProjectToTiles(scene, viewportSize.x, viewportSize.y);
   this->Scissor = tiles.Scissor;
+  this->BricksCutAway = tiles.CutAway;
   if (tiles.Scissor.z < 1 || tiles.Scissor.w < 1)
   {
     return;

@@ -43,6 +43,8 @@ public:
   /// Projects the bricks to the tiles of a viewport; the scissor is empty if none is in view.
   void ProjectTiles(const vtkMediumScene& scene, const glm::ivec2& viewportSize);
   const glm::ivec4& GetScissor() const { return this->Scissor; }
+  /// Bricks that are not empty but were cut away, when they were projected.
+  std::size_t GetBricksCutAway() const { return this->BricksCutAway; }
 
   /// Binds the textures and tells the program where they are.
   void Activate(vtkShaderProgram* program, const vtkMediumPlan& plan);
@@ -79,6 +81,7 @@ private:
   double CachedDensityScale = -1; ///< as uploaded
   vtkNew<vtkTextureObject> TileTexture;
   glm::ivec4 Scissor{ 0 };
+  std::size_t BricksCutAway = 0;
   std::vector<vtkTextureObject*> Active;
   int BrickBuilds = 0;
   int LightCacheBuilds = 0;

@@ -45,6 +45,7 @@ public:
     int Edge = 8;          ///< pixels along the edge of a tile
     std::vector<glm::vec2> Ranges; ///< first and last t along the eye rays; first > last: nothing
     glm::ivec4 Scissor{ 0 };       ///< x, y, width, height in pixels; width 0: nothing in view
+    std::size_t CutAway = 0;       ///< bricks that are not empty but cut away
   };
 
   /// Divides the lattice of `grid`, which is of the same scene, and classifies all bricks.
@@ -73,7 +74,7 @@ public:
   /// How often voxels were read, since creation: once for each change of a field.
   int GetNumberOfReads() const { return this->Reads; }
 
-  /// Projects the bricks that are not empty to tiles of a viewport of width x height pixels. For every
+  /// Projects the bricks that are neither empty nor cut away to tiles of a viewport of width x height pixels. For every
   /// eye ray through a pixel (anywhere in it) the part inside such a brick is within the tile's range,
   /// which runs along vtkMediumScene::View's t in local units. Ranges start at 0 in perspective.
   Tiles ProjectToTiles(const vtkMediumScene& scene, int width, int height, int edge = 8) const;

@@ -163,6 +163,7 @@ private:
 struct Share
 {
   std::vector<glm::dvec2> Ranges;
+  std::size_t CutAway = 0;
   glm::dvec2 Lower{ std::numeric_limits<double>::infinity() };
   glm::dvec2 Upper{ -std::numeric_limits<double>::infinity() };
 };
@@ -234,6 +235,11 @@ vtkMediumBricks::Tiles vtkMediumBricks::ProjectToTiles(
         {
           corner = this->LatticeToLocalOrigin + this->LatticeToLocalAxes * corner;
         }
+        if (!scene.Cut.MayKeep(corners))
+        {
+          ++share.CutAway;
+          continue;
+        }
         AddFootprint(projection.Project(corners), tiles, size, share);
       }
     }
@@ -244,6 +250,7 @@ vtkMediumBricks::Tiles vtkMediumBricks::ProjectToTiles(
   std::vector<glm::dvec2> ranges(count, glm::dvec2(infinity, -infinity));
   for (const Share& share : shares)
   {
+    tiles.CutAway += share.CutAway;
     lower = glm::min(lower, share.Lower);
     upper = glm::max(upper, share.Upper);
     for (std::size_t i = 0; i < share.Ranges.size(); ++i)

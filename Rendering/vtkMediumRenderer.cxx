@@ -347,9 +347,10 @@ void vtkMediumRenderer::CountWork(const vtkMediumPlan& plan, vtkMediumStatistics
   statistics->GPUBytes = this->Textures.GetBytes() + this->Accelerator.GetBytes() +
     this->Frame.GetBytes() + this->Probe.GetBytes();
   const vtkMediumBricks& bricks = this->Accelerator.GetBricks();
-  const std::size_t empty = plan.UseBricks ? bricks.GetNumberOf(vtkMediumBricks::Empty) : 0;
+  const std::size_t leapt =
+    bricks.GetNumberOf(vtkMediumBricks::Empty) + this->Accelerator.GetBricksCutAway();
   const glm::ivec3& count = bricks.GetCount();
-  statistics->BricksLeapt = static_cast<vtkTypeInt64>(empty);
+  statistics->BricksLeapt = plan.UseBricks ? static_cast<vtkTypeInt64>(leapt) : 0;
   statistics->BricksVisited = plan.UseBricks
     ? static_cast<vtkTypeInt64>(count.x) * count.y * count.z - statistics->BricksLeapt
     : 0;

@@ -53,7 +53,7 @@ public:
 
   ///@{
   /// Of the last frame: bricks of 8 x 8 x 8 cells that eye rays may have to enter, and bricks that are
-  /// empty and were leapt; both 0 in integrators without bricks.
+  /// empty or cut away and were leapt; both 0 in integrators without bricks.
   vtkGetMacro(BricksVisited, vtkTypeInt64);
   vtkGetMacro(BricksLeapt, vtkTypeInt64);
   ///@}

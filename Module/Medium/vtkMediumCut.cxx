@@ -174,6 +174,63 @@ void vtkMediumCut::AddUnlessBeside(const Plane& plane, const Box& box)
 }
 
 //------------------------------------------------------------------------------
+bool vtkMediumCut::MayKeep(const glm::dvec3 corners[8]) const
+{
+  const auto isBeside = [corners](const Plane& plane) {
+    return std::all_of(corners, corners + 8,
+      [&plane](const glm::dvec3& corner) { return plane.Distance(corner) < 0; });
+  };
+  if (std::any_of(this->Planes.begin(), this->Planes.end(), isBeside))
+  {
+    return false;
+  }
+  if (!this->CutsRegions())
+  {
+    return true;
+  }
+  int least[3] = { 2, 2, 2 }, most[3] = { 0, 0, 0 }; // the regions that the corners span
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const int digit = this->FindDigit(axis, corners[corner]);
+      least[axis] = std::min(least[axis], digit);
+      most[axis] = std::max(most[axis], digit);
+    }
+  }
+  for (int region = 0; region < 27; ++region)
+  {
+    const int digits[3] = { region % 3, region / 3 % 3, region / 9 };
+    bool spanned = true;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      spanned = spanned && digits[axis] >= least[axis] && digits[axis] <= most[axis];
+    }
+    if (spanned && (this->Regions >> region & 1))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool vtkMediumCut::HoldsWaysTo(const glm::dvec3& light, bool directional) const
+{
+  return !this->CutsRegions() &&
+    std::all_of(this->Planes.begin(), this->Planes.end(), [&](const Plane& plane) {
+      return (directional ? glm::dot(plane.Normal, light) : plane.Distance(light)) >= 0;
+    });
+}
+
+//------------------------------------------------------------------------------
+int vtkMediumCut::FindDigit(int axis, const glm::dvec3& local) const
+{
+  return (this->Lower[axis].Distance(local) >= 0 ? 1 : 0) +
+    (this->Upper[axis].Distance(local) >= 0 ? 1 : 0);
+}
+
+//------------------------------------------------------------------------------
 bool vtkMediumCut::Keeps(const glm::dvec3& local) const
 {
   for (const Plane& plane : this->Planes)
@@ -186,8 +243,7 @@ bool vtkMediumCut::Keeps(const glm::dvec3& local) const
   int region = 0;
   for (int axis = 2; axis >= 0; --axis)
   {
-    region = 3 * region + (this->Lower[axis].Distance(local) >= 0 ? 1 : 0) +
-      (this->Upper[axis].Distance(local) >= 0 ? 1 : 0);
+    region = 3 * region + this->FindDigit(axis, local);
   }
   return !this->CutsRegions() || (this->Regions >> region & 1);
 }

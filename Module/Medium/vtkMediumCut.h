@@ -69,6 +69,14 @@ public:
   bool IsNone() const { return this->Planes.empty() && !this->CutsRegions(); }
   bool Keeps(const glm::dvec3& local) const;
 
+  /// False where nothing of a parallelepiped with these corners can be kept; true where it may be.
+  bool MayKeep(const glm::dvec3 corners[8]) const;
+
+  /// Whether no light ray that begins in what is kept can leave it again on its way to a light: the way to a
+  /// directional one, or the place of another, is on the kept side of every plane. Its optical depths are
+  /// then those without the cut.
+  bool HoldsWaysTo(const glm::dvec3& light, bool directional) const;
+
   /// Takes the clipping planes (world coordinates, kept where the normal points to) and the cropping (planes
   /// in the coordinates of the image, before the volume's matrix) of a mapper, which may be null. Returns an
   /// empty string, or what was wrong with them and how to mend it.
@@ -77,6 +85,7 @@ public:
 private:
   std::string GatherClipping(vtkAbstractVolumeMapper* mapper, const Box& box);
   std::string GatherCropping(vtkAbstractVolumeMapper* mapper, vtkVolume* volume, const Box& box);
+  int FindDigit(int axis, const glm::dvec3& local) const;
   void AddUnlessBeside(const Plane& plane, const Box& box);
 };
 

@@ -260,3 +260,25 @@ TEST(Cut, CostsNothingWhereNothingIsCut)
     EXPECT_LT(done->GetTaps(), taps) << integrator; // what is cut away is not looked up
   }
 }
+
+// A plane with every light on its kept side: caches of the whole volume are right.
+TEST(Cut, LightCachesServeWhereNoLightRayIsCut)
+{
+  ReferenceScene scene(vtkMediumFixtures::Smooth);
+  scene.Medium->SetExtinctionScale(6);
+  scene.Renderer->RemoveAllLights();
+  scene.AddBeam({ 1, -0.8, -0.2 });
+  scene.AddPointLight({ -0.9, 0.8, 0.5 });
+  scene.Mapper->SetIntegratorToErrorControlled();
+  vtkSmartPointer<vtkPlane> plane = AddPlane(scene, { -1, 0.5, 0 }, { 0.1, 0, 0 });
+  scene.FindTruth();
+  const ReferenceScene::Errors errors = scene.Measure();
+  vtkMediumStatistics* done = scene.Mapper->GetStatistics();
+  EXPECT_EQ(done->GetLightCacheBuilds(), 2);
+  EXPECT_LE(errors.Largest, 1.0 / 255);
+  EXPECT_GE(scene.Mapper->GetEstimatedError(), errors.Largest);
+  EXPECT_GT(done->GetBricksLeapt(), 0) << "bricks of the part that is cut away";
+  plane->SetOrigin(0.05, 0, 0);
+  scene.Render();
+  EXPECT_EQ(done->GetLightCacheBuilds(), 2) << "the plane moved, and no light";
+}

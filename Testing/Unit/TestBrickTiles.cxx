@@ -69,3 +69,44 @@ TEST(BrickTiles, NothingInViewGivesAnEmptyScissor)
     EXPECT_GT(range.x, range.y);
   }
 }
+
+//------------------------------------------------------------------------------
+// What is cut away narrows the tiles, and what is kept is still covered.
+TEST(BrickTiles, LeaveOutBricksThatAreCutAway)
+{
+  Setting setting = MakeSetting(MakeImage(Smooth, glm::ivec3(65)));
+  setting.Scene.Eye = MakeView({ 0, 0.1, -2 }, glm::dvec3(0), 0.3, false);
+  const vtkMediumBricks::Tiles whole = setting.Bricks.ProjectToTiles(setting.Scene, 128, 128);
+  EXPECT_EQ(whole.CutAway, 0u);
+  vtkMediumCut& cut = setting.Scene.Cut;
+  cut.Planes.push_back({ glm::dvec3(1, 0, 0), -0.05 });
+  const vtkMediumBricks::Tiles half = setting.Bricks.ProjectToTiles(setting.Scene, 128, 128);
+  EXPECT_GT(half.CutAway, 200u); // of 512
+  EXPECT_LT(half.Scissor.z, 0.7 * whole.Scissor.z);
+
+  for (int axis = 0; axis < 3; ++axis) // regions as well: the octant below is left
+  {
+    cut.Lower[axis].Normal = cut.Upper[axis].Normal = glm::dvec3(0);
+    cut.Lower[axis].Normal[axis] = cut.Upper[axis].Normal[axis] = 1;
+    cut.Lower[axis].Offset = 0.03;
+    cut.Upper[axis].Offset = -0.05;
+  }
+  cut.Planes.clear();
+  cut.Regions = 1 | 1 << 26; // and the one above
+  const vtkMediumBricks::Tiles corners = setting.Bricks.ProjectToTiles(setting.Scene, 128, 128);
+  EXPECT_GT(corners.CutAway, 300u);
+  for (std::uint32_t i = 0; i < 20000; ++i)
+  {
+    const glm::dvec3 at = setting.Scene.Geometry.BoxToLocal(RandomBox(i, 7));
+    const glm::dvec4 clip = setting.Scene.Eye.LocalToClip * glm::dvec4(at, 1);
+    const glm::dvec2 pixel = 64.0 * (glm::dvec2(clip) / clip.w + 1.0);
+    if (!cut.Keeps(at) || glm::clamp(pixel, 0.0, 128.0) != pixel)
+    {
+      continue;
+    }
+    const glm::ivec2 tile(pixel / double(corners.Edge));
+    const glm::vec2 range = corners.Ranges[tile.x + corners.Count.x * tile.y];
+    ASSERT_LE(range.x, glm::length(at - setting.Scene.Eye.Origin));
+    ASSERT_GE(range.y, glm::length(at - setting.Scene.Eye.Origin));
+  }
+}

@@ -304,6 +304,7 @@ TEST(Plan, CutsByWhatTheSceneHasAndNothingElse)
   const vtkMediumScene whole = MakeScene();
   vtkMediumScene clipped = whole, cropped = whole;
   clipped.Cut.Planes.assign(3, Plane());
+  clipped.Lights[0].Direction = { 0, 0, 1 }; // from behind planes that keep what is above
   cropped.Cut.Regions = 0x5;
   for (int integrator : { Mapper::FixedStep, Mapper::ErrorControlled, Mapper::Exact })
   {
@@ -314,7 +315,7 @@ TEST(Plan, CutsByWhatTheSceneHasAndNothingElse)
     const vtkMediumPlan byPlanes(clipped, With(integrator), Device());
     EXPECT_TRUE(Reads(byPlanes, "KeptInterval") && Reads(byPlanes, "ClippingPlanes"));
     EXPECT_TRUE(Has(byPlanes, "CLIPPING_PLANES 3"));
-    EXPECT_EQ(byPlanes.CachedLights, 0) << "a cache knows nothing of what is cut away";
+    EXPECT_EQ(byPlanes.CachedLights, 0) << "light passes through what is cut away";
     const vtkMediumPlan byRegions(cropped, With(integrator), Device());
     EXPECT_TRUE(Reads(byRegions, "KeptRegions"));
     EXPECT_FALSE(Reads(byRegions, "KeptInterval") || Reads(byRegions, "ClippingPlanes"));
@@ -323,6 +324,29 @@ TEST(Plan, CutsByWhatTheSceneHasAndNothingElse)
   clipped.Cut.Planes.assign(vtkMediumPlan::MostClippingPlanes + 1, Plane());
   EXPECT_NE(
     vtkMediumPlan(clipped, With(Mapper::Exact), Device()).Refusal.find("17"), std::string::npos);
+}
+
+//------------------------------------------------------------------------------
+TEST(Plan, CachesLightsUnderACutWhoseWaysAreInWhatIsKept)
+{
+  vtkMediumScene scene = MakeScene();
+  scene.Cut.Planes.resize(1); // keeps z >= 0
+  vtkMediumScene::Light& light = scene.Lights[0];
+  const auto cached = [&scene] {
+    return vtkMediumPlan(scene, With(Mapper::ErrorControlled), Device()).CachedLights;
+  };
+  light.Direction = { 0.6, 0, -0.8 };
+  EXPECT_EQ(cached(), 1);
+  light.Direction = { 0.6, 0, 0.8 };
+  EXPECT_EQ(cached(), 0);
+  light.Type = vtkMediumScene::Light::Point;
+  light.Position = { 3, 2, 0.1 };
+  EXPECT_EQ(cached(), 1);
+  light.Position = { 3, 2, -0.1 };
+  EXPECT_EQ(cached(), 0);
+  light.Position = { 3, 2, 0.1 };
+  scene.Cut.Regions = 0x5;
+  EXPECT_EQ(cached(), 0);
 }
 
 //------------------------------------------------------------------------------
