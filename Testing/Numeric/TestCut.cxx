@@ -5,6 +5,7 @@
 #include "CutScene.h"
 
 #include "vtkMatrix4x4.h"
+#include "vtkPiecewiseFunction.h"
 
 using namespace vtkMediumTest;
 
@@ -281,4 +282,79 @@ TEST(Cut, LightCachesServeWhereNoLightRayIsCut)
   plane->SetOrigin(0.05, 0, 0);
   scene.Render();
   EXPECT_EQ(done->GetLightCacheBuilds(), 2) << "the plane moved, and no light";
+}
+
+// Jumps at voxels and a bent transfer function besides the planes.
+TEST(Cut, ExactMeetsTheTruthBetweenVoxelsAndKnots)
+{
+  for (bool nearest : { false, true })
+  {
+    ReferenceScene scene(vtkMediumFixtures::Smooth, nearest);
+    scene.Window->SetSize(24, 24);
+    vtkNew<vtkPiecewiseFunction> extinction;
+    extinction->AddPoint(0, 0);
+    extinction->AddPoint(0.3, 1);
+    extinction->AddPoint(1, 0.5);
+    scene.Medium->SetExtinctionFunction(extinction);
+    nearest ? scene.Property->SetInterpolationTypeToNearest()
+            : scene.Property->SetInterpolationTypeToLinear();
+    AddPlane(scene, { -1, 0.8, 0.3 }, { 0.05, 0, 0 });
+    Crop(scene, VTK_CROP_INVERTED_FENCE);
+    scene.Mapper->SetIntegratorToExact();
+    scene.FindTruth();
+    const ReferenceScene::Errors errors = scene.Measure();
+    EXPECT_LT(errors.Largest, 1e-4) << nearest;
+    EXPECT_LT(errors.Alpha, 1e-4) << nearest;
+  }
+}
+
+// The eye in what is cut away, in what is left, and in parallel projection.
+TEST(Cut, IsSeenFromWithinAndInParallel)
+{
+  for (int view = 0; view < 3; ++view)
+  {
+    ReferenceScene scene(vtkMediumFixtures::Smooth);
+    scene.SetSteps(0.25 * Voxel, 0.25 * Voxel);
+    AddPlane(scene, { -1, 0.2, 0.3 }, { 0.05, 0, 0 });
+    Crop(scene, VTK_CROP_INVERTED_CROSS);
+    view == 0     ? scene.Look({ -1, 0.2, 0.1 }, 0.3, { 0.05, 0, 0 })
+      : view == 1 ? scene.Look({ 0.2, 1, 0.3 }, 0.2, { -0.3, 0.1, 0.4 })
+                  : scene.LookParallel({ 0.3, -0.4, -1 }, 3, 0.6);
+    scene.FindTruth();
+    ASSERT_GT(scene.Peak, 0.01) << view;
+    const ReferenceScene::Errors errors = scene.Measure();
+    EXPECT_LT(errors.Largest, 5e-4) << view; // at a quarter of a voxel
+    EXPECT_LT(errors.Alpha, 1e-4) << view;
+  }
+}
+
+// Planes that meet leave regions between them empty; a plane along the view belongs to one side.
+TEST(Cut, PlanesThatMeetAndPlanesAlongTheRayAreFinite)
+{
+  ReferenceScene scene(vtkMediumFixtures::Smooth);
+  scene.LookParallel({ 0, 0, -1 }, 3, 0.6);
+  const Picture whole = scene.Render();
+  scene.Mapper->CroppingOn();
+  scene.Mapper->SetCroppingRegionPlanes(0.1, 0.1, -0.05, -0.05, 0, 0);
+  scene.Mapper->SetCroppingRegionFlags(0x7ffffff & ~VTK_CROP_SUBVOLUME);
+  EXPECT_LT(Difference(whole, scene.Render()), 1e-2) << "pieces of nothing, steps of their own";
+  scene.Mapper->SetCroppingRegionFlagsToSubVolume();
+  const Picture nothing = scene.Render();
+  EXPECT_EQ(*std::max_element(nothing.Values.begin(), nothing.Values.end()), 0);
+  scene.Mapper->CroppingOff();
+  AddPlane(scene, { 1, 0, 0 }, glm::dvec3(0)); // in which rays are
+  EXPECT_TRUE(scene.Render().IsLight());
+}
+
+// Nested marches of 1000 x 1000 steps in four parts each, beyond what a draw may loop on some drivers.
+TEST(Cut, LongMarchesArrive)
+{
+  ReferenceScene scene(vtkMediumFixtures::Smooth);
+  scene.Window->SetSize(8, 8);
+  Crop(scene, 0x5555555);
+  scene.FindTruth();
+  const ReferenceScene::Errors errors = scene.Measure(1.8 / 1000);
+  EXPECT_GT(scene.Mapper->GetStatistics()->GetPasses(), 1);
+  EXPECT_LT(errors.Largest, 1e-4);
+  EXPECT_LT(errors.Alpha, 2e-5);
 }
