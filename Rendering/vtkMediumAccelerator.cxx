@@ -37,7 +37,7 @@ std::string vtkMediumAccelerator::Update(
   {
     return {};
   }
-  this->UpdateGrid(scene);
+  this->UpdateGrid(scene, plan);
   const vtkMediumSignature occupancy = vtkMediumSignature::OfOccupancy(scene);
   if (occupancy != this->BrickSignature)
   {
@@ -58,13 +58,21 @@ std::string vtkMediumAccelerator::Update(
 }
 
 //------------------------------------------------------------------------------
-void vtkMediumAccelerator::UpdateGrid(const vtkMediumScene& scene)
+void vtkMediumAccelerator::UpdateGrid(const vtkMediumScene& scene, const vtkMediumPlan& plan)
 {
   const vtkMediumSignature extinction = vtkMediumSignature::OfExtinction(scene);
-  if (extinction != this->GridSignature)
+  const vtkMediumSignature cut =
+    plan.CutCaches ? vtkMediumSignature::OfCut(scene) : vtkMediumSignature();
+  // Where light rays are marched only the lattice counts, so the caches wait for a plan that reads them.
+  if (extinction != this->GridSignature || (plan.CachedLights > 0 && cut != this->CutSignature))
   {
     this->Grid.Build(scene);
+    if (plan.CutCaches)
+    {
+      this->Grid.CutAway(scene.Cut);
+    }
     this->GridSignature = extinction;
+    this->CutSignature = cut;
     this->Lights.clear();
   }
 }

@@ -65,12 +65,13 @@ private:
     bool Quick = false; ///< built by slabs, to be built anew when there is time
   };
 
-  void UpdateGrid(const vtkMediumScene& scene);
+  void UpdateGrid(const vtkMediumScene& scene, const vtkMediumPlan& plan);
   bool UpdateCaches(const vtkMediumScene& scene, const vtkMediumPlan& plan);
   bool UploadGroup(int group, const vtkMediumPlan& plan);
 
   vtkOpenGLRenderWindow* Window = nullptr;
   vtkMediumSignature GridSignature;
+  vtkMediumSignature CutSignature; ///< of what was cut away from the grid
   vtkMediumSignature BrickSignature;
   vtkMediumExtinctionGrid Grid;
   vtkMediumBricks Bricks;

@@ -56,6 +56,11 @@ public:
       (j + static_cast<std::size_t>(this->Dimensions.y) * k);
   }
 
+  /// Takes away what is cut off, after Build: each value is weakened to the share of its voxel that is kept,
+  /// so that optical depths along rays through a cut are right to second order in the voxel. (Leaving out
+  /// lattice points is right to first order.)
+  void CutAway(const vtkMediumCut& cut);
+
   /// The interpolated value at a lattice coordinate, held constant outside the lattice.
   double Interpolate(const glm::dvec3& lattice) const;
 

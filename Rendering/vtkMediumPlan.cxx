@@ -134,19 +134,6 @@ void vtkMediumPlan::Validate(const Settings& settings, const Capabilities& devic
 }
 
 //------------------------------------------------------------------------------
-void vtkMediumPlan::ValidateCut(const vtkMediumCut& cut)
-{
-  const int planes = static_cast<int>(cut.Planes.size());
-  if (this->Refusal.empty() && planes > MostClippingPlanes)
-  {
-    std::ostringstream text;
-    text << planes << " clipping planes, with those of a cropped box, cut the volume, but at most "
-         << MostClippingPlanes << " can be honoured; remove some (RemoveClippingPlane).";
-    this->Refusal = text.str();
-  }
-}
-
-//------------------------------------------------------------------------------
 void vtkMediumPlan::ChooseSteps(const vtkMediumScene& scene, const Settings& settings)
 {
   const double voxel = scene.Geometry.VoxelLength;

@@ -113,6 +113,7 @@ public:
   bool UseBricks = false; ///< eye rays keep to the tiles that bricks were projected to
   int CachedLights = 0; ///< the first so many lights have a light cache; 0: light rays are marched
   bool QuickCaches = false;    ///< light caches are built quickly rather than exactly
+  bool CutCaches = false; ///< light caches are those of what a cut leaves, not of the whole volume
   bool CacheRoughness = false; ///< light rays are marched until their cache is accurate enough
   double LightTolerance =
     0;                      ///< with CacheRoughness: radiance a local unit that look-ups may err by
@@ -155,6 +156,7 @@ public:
 private:
   void Validate(const Settings&, const Capabilities&);
   void ValidateCut(const vtkMediumCut&);
+  static bool CutsLightRays(const vtkMediumScene&);
   void ChooseSteps(const vtkMediumScene&, const Settings&);
   void PlanPaper(const vtkMediumScene&, const Settings&);
   static std::vector<vtkMediumField> PaperFields(const vtkMediumScene&);

@@ -13,8 +13,8 @@ void vtkMediumPlan::PlanErrorControlled(const vtkMediumScene& scene, const Setti
   this->EyeStep = settings.ControlledStep > 0 ? settings.ControlledStep : voxel;
   this->LightStep = settings.ControlledLightStep > 0 ? settings.ControlledLightStep : this->EyeStep;
 
-  // A cache holds one grey optical depth for each lattice point, looked up trilinearly. It knows nothing of
-  // a cut, so it is right only where no light ray passes through what is cut away.
+  // A cache holds one grey optical depth for each lattice point, looked up trilinearly. That of the
+  // whole volume is right under a cut where no light ray passes through what is cut away.
   vtkTypeInt64 voxels = 0;
   bool linear = !this->Fields.empty();
   for (const vtkMediumField& field : this->Fields)
@@ -23,23 +23,17 @@ void vtkMediumPlan::PlanErrorControlled(const vtkMediumScene& scene, const Setti
     const glm::ivec3& size = field.Dimensions;
     voxels = std::max(voxels, static_cast<vtkTypeInt64>(size.x) * size.y * size.z);
   }
-  bool waysAreHeld = true;
-  for (const vtkMediumScene::Light& light : scene.Lights)
-  {
-    const bool directional = light.Type == vtkMediumScene::Light::Directional;
-    waysAreHeld = waysAreHeld &&
-      scene.Cut.HoldsWaysTo(directional ? -light.Direction : light.Position, directional);
-  }
   const int lights = static_cast<int>(scene.Lights.size());
   const bool rough = settings.LightMethod == MarchThenLookUp;
   const vtkTypeInt64 bytes = (rough ? 4 : 2) * voxels * lights;
   if (settings.LightMethod != March && this->Lit && linear && !scene.Content.ChromaticExtinction &&
-    waysAreHeld && lights <= (rough ? MostCachedLights / 2 : MostCachedLights) &&
+    lights <= (rough ? MostCachedLights / 2 : MostCachedLights) &&
     bytes <= settings.LightCacheBytes)
   {
     this->CachedLights = lights;
     this->QuickCaches = settings.Hurried;
     this->CacheRoughness = rough;
+    this->CutCaches = CutsLightRays(scene);
     this->LightTolerance = settings.LightTolerance;
     this->LightLookUpEvery = std::max(
       1, static_cast<int>(LookUpSpacing * voxel / (LightTapsPerIteration * this->LightStep) + 0.5));

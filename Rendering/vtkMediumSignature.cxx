@@ -106,6 +106,14 @@ vtkMediumSignature vtkMediumSignature::OfExtinction(const vtkMediumScene& scene)
 }
 
 //------------------------------------------------------------------------------
+vtkMediumSignature vtkMediumSignature::OfCut(const vtkMediumScene& scene)
+{
+  vtkMediumSignature signature;
+  signature.Add(scene.Cut);
+  return signature;
+}
+
+//------------------------------------------------------------------------------
 vtkMediumSignature vtkMediumSignature::OfOccupancy(const vtkMediumScene& scene)
 {
   vtkMediumSignature signature = OfExtinction(scene);

@@ -21,6 +21,8 @@ public:
   /// What optical depths depend on, for a density scale of 1: the lattice, the extinction, and the
   /// arrays and functions that it reads.
   static vtkMediumSignature OfExtinction(const vtkMediumScene& scene);
+  /// What is cut away.
+  static vtkMediumSignature OfCut(const vtkMediumScene& scene);
   /// What bricks depend on: the extinction and the emission.
   static vtkMediumSignature OfOccupancy(const vtkMediumScene& scene);
   /// All that changes the image of a scene materially, but for the camera.

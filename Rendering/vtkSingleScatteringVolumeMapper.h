@@ -37,9 +37,9 @@
  * exactly at the planes, whatever the step. At most 16 planes may cut the volume, the faces of a cropped
  * box among them; planes beside it do not count. Not taken, and refused by an error: a plane with numbers
  * that are not finite, a zero normal or a transform, and cropping planes in the wrong order. Moving a plane
- * builds nothing and compiles nothing. ErrorControlled finds its step anew (which may need a march over
- * several draws, another program), and marches light rays where one may pass through what is cut away,
- * since light caches do not know of the cut.
+ * builds nothing and compiles nothing, but that ErrorControlled finds its step anew (which may need a march
+ * over several draws, another program) and builds its light caches anew where a light ray may pass through
+ * what is cut away.
  *
  * @par Blend modes
  * Composite blending is what a medium does; the other modes of vtkVolumeMapper combine scalars along a ray,

@@ -358,3 +358,30 @@ TEST(Cut, LongMarchesArrive)
   EXPECT_LT(errors.Largest, 1e-4);
   EXPECT_LT(errors.Alpha, 2e-5);
 }
+
+// A plane with light from its removed side: caches of what is left, where they are accurate enough.
+TEST(Cut, LightCachesKnowOfTheCut)
+{
+  ReferenceScene scene(vtkMediumFixtures::Smooth);
+  scene.Mapper->SetInputData(
+    vtkMediumFixtures::MakeImage(vtkMediumFixtures::Smooth, glm::ivec3(64), ReferenceSize));
+  scene.Medium->SetExtinctionScale(6);
+  scene.Renderer->RemoveAllLights();
+  scene.AddBeam({ 1, -0.8, -0.2 });
+  scene.Mapper->SetIntegratorToErrorControlled();
+  scene.Mapper->SetLightCachesToAlways();
+  vtkSmartPointer<vtkPlane> plane = AddPlane(scene, { 1, -0.5, 0.2 }, { 0.033, 0.01, 0 });
+  scene.FindTruth();
+  const ReferenceScene::Errors errors = scene.Measure();
+  vtkMediumStatistics* done = scene.Mapper->GetStatistics();
+  EXPECT_EQ(done->GetLightCacheBuilds(), 1);
+  EXPECT_LE(errors.Largest, 1.0 / 255);
+  EXPECT_GE(scene.Mapper->GetEstimatedError(), errors.Largest);
+  scene.Camera->Azimuth(1);
+  scene.Render();
+  EXPECT_EQ(done->GetLightCacheBuilds(), 1);
+  plane->SetOrigin(0.05, 0, 0);
+  scene.Render();
+  EXPECT_EQ(done->GetLightCacheBuilds(), 2) << "the plane moved";
+  EXPECT_EQ(done->GetBrickBuilds(), 1);
+}

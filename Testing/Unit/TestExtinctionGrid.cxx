@@ -258,3 +258,47 @@ TEST(ExtinctionGrid, ReadsOneComponentOfIntegerArrays)
   EXPECT_FLOAT_EQ(grid.GetValues()[17], static_cast<float>(17 * 5 * scene.Geometry.Length));
   ExpectGridEqualsScene(scene, grid);
 }
+
+//------------------------------------------------------------------------------
+// The lattice's sum is the volume that is kept, and each value is about the share of its voxel.
+TEST(ExtinctionGrid, CutAwayLeavesTheShareOfEachVoxelThatIsKept)
+{
+  const auto image = MakeImage(Smooth, glm::ivec3(40), glm::dvec3(1), true);
+  image->GetCellData()->GetScalars()->Fill(1);
+  vtkMediumScene scene = MakeScene(image, 1, true);
+  vtkMediumCut& cut = scene.Cut;
+  cut.Planes.push_back({ glm::normalize(glm::dvec3(1, 0.4, -0.3)), 0.04 });
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    cut.Lower[axis].Normal = cut.Upper[axis].Normal = glm::dvec3(0);
+    cut.Lower[axis].Normal[axis] = cut.Upper[axis].Normal[axis] = 1;
+    cut.Lower[axis].Offset = 0.103;
+    cut.Upper[axis].Offset = -0.057;
+  }
+  cut.Regions = 0x2ebfeba; // a fence
+  vtkMediumExtinctionGrid whole, left;
+  whole.Build(scene);
+  left.Build(scene);
+  left.CutAway(cut);
+  const glm::ivec3 n = left.GetDimensions();
+  double sum = 0, kept = 0, largest = 0;
+  for (std::size_t i = 0; i < left.GetValues().size(); ++i)
+  {
+    const int x = static_cast<int>(i % n.x), y = static_cast<int>(i / n.x % n.y),
+              z = static_cast<int>(i / n.x / n.y);
+    double samples = 0; // of 4 x 4 x 4 points of the voxel
+    for (int s = 0; s < 64; ++s)
+    {
+      const glm::dvec3 at =
+        glm::dvec3(x, y, z) + (glm::dvec3(s % 4, s / 4 % 4, s / 16) - 1.5) / 4.0;
+      samples += cut.Keeps(left.LatticeToLocal(at)) ? 1.0 / 64 : 0;
+    }
+    const double share = left.GetValues()[i] / whole.GetValues()[i];
+    largest = std::max(largest, std::abs(share - samples));
+    sum += share;
+    kept += samples;
+  }
+  EXPECT_LT(largest, 0.4); // several planes in one voxel, and the samples' own error
+  EXPECT_NEAR(sum / kept, 1, 0.01);
+  EXPECT_LT(left.GetOccupiedFraction(), 0.8 * whole.GetOccupiedFraction());
+}
