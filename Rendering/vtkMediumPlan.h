@@ -112,7 +112,7 @@ public:
 
   bool UseBricks = false; ///< eye rays keep to the tiles that bricks were projected to
   int CachedLights = 0; ///< the first so many lights have a light cache; 0: light rays are marched
-  bool QuickCaches = false;    ///< light caches are built quickly rather than exactly
+  bool QuickCaches = false; ///< light caches are built quickly rather than exactly
   bool CutCaches = false; ///< light caches are those of what a cut leaves, not of the whole volume
   bool CacheRoughness = false; ///< light rays are marched until their cache is accurate enough
   double LightTolerance =
