@@ -4,6 +4,7 @@
 
 #include "vtkMediumImages.h"
 #include "vtkMediumStatistics.h"
+#include "vtkMediumSurroundings.h"
 #include "vtkSingleScatteringVolumeMapper.h"
 
 #include "vtkMatrix4x4.h"
@@ -23,15 +24,6 @@
 
 namespace
 {
-// Of the viewport's size along each axis, and the least and most pixels of it.
-constexpr int ProbeReduction = 8;
-constexpr int FewestProbes = 32;
-constexpr int MostProbes = 96;
-// The error of light caches is probed by pixels along each axis, in steps of voxels.
-constexpr int CacheProbes = 32;
-constexpr double CacheProbeStep = 1;
-constexpr double CacheProbeLightStep = 0.5;
-
 //------------------------------------------------------------------------------
 /// Where the renderer draws, in pixels of the window or of the tile that it is.
 vtkMediumFrame::Viewport FindViewport(vtkRenderer* renderer)
@@ -101,7 +93,7 @@ std::string vtkMediumRenderer::Draw(const Request& request, vtkMediumStatistics*
   watch.Lap();
   const double compiledBefore = this->Programs.GetCompileMilliseconds();
   const vtkMediumPlan plan(this->Scene, settings, device);
-  refusal = this->DrawFrame(request, plan);
+  refusal = this->DrawFrame(request, settings, plan);
   const double compiled = this->Programs.GetCompileMilliseconds();
   statistics->CompileMilliseconds = compiled;
   statistics->IntegrateMilliseconds = watch.Lap() - (compiled - compiledBefore);
@@ -240,56 +232,6 @@ vtkMediumPlan::Capabilities vtkMediumRenderer::FindCapabilities()
 }
 
 //------------------------------------------------------------------------------
-std::vector<float> vtkMediumRenderer::IntegrateProbes(const glm::ivec2& pixels,
-  const vtkMediumPlan::Settings& settings, const vtkMediumPlan::Capabilities& device,
-  std::string& refusal)
-{
-  vtkMediumFrame::Viewport viewport;
-  viewport.Size = pixels;
-  const vtkMediumPlan plan(this->Scene, settings, device);
-  std::string problem = this->Accelerator.Update(this->Window, this->Scene, plan);
-  problem =
-    problem.empty() ? this->Probe.Begin(this->Window, viewport, plan.NeedsState(), false) : problem;
-  refusal = problem.empty() ? this->Integrate(this->Probe, plan) : problem;
-  return this->Probe.DownloadRadiance();
-}
-
-//------------------------------------------------------------------------------
-std::string vtkMediumRenderer::FindStep(const Request& request,
-  const vtkMediumPlan::Capabilities& device, vtkMediumStepControl::CacheUses caches)
-{
-  int width = 0, height = 0, x = 0, y = 0;
-  request.Renderer->GetTiledSizeAndOrigin(&width, &height, &x, &y);
-  const glm::ivec2 pixels = glm::clamp(
-    glm::ivec2(width, height) / ProbeReduction, glm::ivec2(FewestProbes), glm::ivec2(MostProbes));
-  const vtkMediumScene::Box& box = this->Scene.Geometry;
-  const double voxel = box.VoxelLength / box.Length;
-  vtkMediumPlan::Settings settings = request.Settings;
-  settings.Output = vtkSingleScatteringVolumeMapper::Radiance;
-
-  std::string refusal;
-  auto integrate = [&](const glm::ivec2& size, const vtkMediumStepControl::Light& light) {
-    settings.LightMethod = light.Method;
-    settings.LightTolerance = light.Tolerance;
-    return this->IntegrateProbes(size, settings, device, refusal);
-  };
-  vtkMediumStepControl::Probes probes;
-  probes.Caches = caches;
-  probes.InSteps = [&](const vtkMediumStepControl::Light& light, double step) {
-    settings.ControlledStep = step;
-    settings.ControlledLightStep = 0;
-    return integrate(pixels, light);
-  };
-  probes.InLight = [&](const vtkMediumStepControl::Light& light) {
-    settings.ControlledStep = CacheProbeStep * voxel;
-    settings.ControlledLightStep = CacheProbeLightStep * voxel;
-    return integrate(glm::ivec2(CacheProbes), light);
-  };
-  this->StepControl.Calibrate(this->Scene, request.MaximumError, voxel, probes);
-  return refusal;
-}
-
-//------------------------------------------------------------------------------
 std::string vtkMediumRenderer::Integrate(vtkMediumFrame& frame, const vtkMediumPlan& plan)
 {
   const bool compiled =
@@ -299,7 +241,25 @@ std::string vtkMediumRenderer::Integrate(vtkMediumFrame& frame, const vtkMediumP
 }
 
 //------------------------------------------------------------------------------
-std::string vtkMediumRenderer::DrawFrame(const Request& request, const vtkMediumPlan& plan)
+std::string vtkMediumRenderer::IntegrateFrame(const Request& request, const vtkMediumPlan& plan,
+  const vtkMediumFrame::Viewport& viewport, bool mayBeHidden)
+{
+  std::string refusal = this->Frame.Begin(this->Window, viewport, plan.NeedsState(), mayBeHidden);
+  if (refusal.empty())
+  {
+    refusal = this->Integrate(this->Frame, plan);
+  }
+  if (refusal.empty() && request.Settings.Output == vtkSingleScatteringVolumeMapper::ErrorEstimate)
+  {
+    refusal = this->Probe.Begin(this->Window, viewport, plan.NeedsState(), mayBeHidden);
+    refusal = refusal.empty() ? this->Integrate(this->Probe, plan.Coarser()) : refusal;
+  }
+  return refusal;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkMediumRenderer::DrawFrame(
+  const Request& request, const vtkMediumPlan::Settings& settings, const vtkMediumPlan& plan)
 {
   vtkMediumFrame::Viewport viewport = FindViewport(request.Renderer);
   viewport.PixelEdge = std::max(request.PixelEdge, double(this->Economy.PixelEdge));
@@ -307,18 +267,25 @@ std::string vtkMediumRenderer::DrawFrame(const Request& request, const vtkMedium
   {
     return {}; // a viewport without pixels shows nothing
   }
-  std::string refusal = this->Frame.Begin(this->Window, viewport, plan.NeedsState(), true);
-  if (refusal.empty())
+  const vtkMediumSurroundings surroundings(request.Renderer, request.Volume);
+  vtkMediumSignature signature = vtkMediumSignature::OfFrame(this->Scene, settings);
+  signature.Add(surroundings.GetSignature());
+  for (double value : { double(viewport.Size.x), double(viewport.Size.y),
+         double(viewport.FirstPixel.x), double(viewport.FirstPixel.y), viewport.PixelEdge })
   {
-    refusal = this->Integrate(this->Frame, plan);
+    signature.Add(value);
   }
-  if (refusal.empty() && request.Settings.Output == vtkSingleScatteringVolumeMapper::ErrorEstimate)
+  this->Reused = surroundings.IsKnown() && signature == this->FrameSignature;
+  std::string refusal;
+  if (!this->Reused)
   {
-    refusal = this->Probe.Begin(this->Window, viewport, plan.NeedsState(), true);
-    refusal = refusal.empty() ? this->Integrate(this->Probe, plan.Coarser()) : refusal;
+    this->FrameSignature = vtkMediumSignature();
+    refusal = this->IntegrateFrame(request, plan, viewport, surroundings.MayHide());
+    this->FrameSignature = refusal.empty() ? signature : vtkMediumSignature();
   }
   this->Output = request.Settings.Output;
-  if (refusal.empty() && request.Show &&
+  const bool inView = this->Frame.GetDraws() > 0;
+  if (refusal.empty() && request.Show && inView &&
     !this->Frame.Show(
       this->Programs, vtkMediumImages::FindShown(this->Scene, this->Output), this->Probe))
   {
@@ -334,7 +301,8 @@ std::string vtkMediumRenderer::DrawFrame(const Request& request, const vtkMedium
 void vtkMediumRenderer::CountWork(const vtkMediumPlan& plan, vtkMediumStatistics* statistics)
 {
   ++statistics->Frames;
-  statistics->Passes = this->Frame.GetDraws();
+  statistics->FramesReused += this->Reused ? 1 : 0;
+  statistics->Passes = this->Reused ? 0 : this->Frame.GetDraws();
   statistics->PixelEdge = this->Frame.GetViewport().PixelEdge;
   statistics->LightMethod = plan.CachedLights == 0 ? vtkMediumStatistics::LightMarched
     : plan.CacheRoughness                          ? vtkMediumStatistics::LightMarchedToItsCache
@@ -355,7 +323,7 @@ void vtkMediumRenderer::CountWork(const vtkMediumPlan& plan, vtkMediumStatistics
     ? static_cast<vtkTypeInt64>(count.x) * count.y * count.z - statistics->BricksLeapt
     : 0;
   statistics->Taps = statistics->Rays = 0;
-  if (statistics->CountTaps)
+  if (statistics->CountTaps && !this->Reused)
   {
     vtkMediumImages::Count(this->Frame.DownloadHits(), statistics->Taps, statistics->Rays);
   }
@@ -371,6 +339,7 @@ void vtkMediumRenderer::ReleaseGraphicsResources(vtkWindow* window)
     this->Programs.ReleaseGraphicsResources(window);
     this->Probe.ReleaseGraphicsResources(window);
     this->Frame.ReleaseGraphicsResources(window);
+    this->FrameSignature = vtkMediumSignature();
   }
 }
 

@@ -93,7 +93,10 @@ private:
   std::vector<float> IntegrateProbes(const glm::ivec2& pixels,
     const vtkMediumPlan::Settings& settings, const vtkMediumPlan::Capabilities& device,
     std::string& refusal);
-  std::string DrawFrame(const Request& request, const vtkMediumPlan& plan);
+  std::string DrawFrame(
+    const Request& request, const vtkMediumPlan::Settings& settings, const vtkMediumPlan& plan);
+  std::string IntegrateFrame(const Request& request, const vtkMediumPlan& plan,
+    const vtkMediumFrame::Viewport& viewport, bool mayBeHidden);
   std::string Integrate(vtkMediumFrame& frame, const vtkMediumPlan& plan);
   static vtkMediumPlan::Capabilities FindCapabilities();
   void CountWork(const vtkMediumPlan& plan, vtkMediumStatistics* statistics);
@@ -108,6 +111,8 @@ private:
   vtkMediumFrameBudget::Economy Economy; ///< of the last frame
   vtkMediumFrame Probe;
   vtkMediumFrame Frame;
+  vtkMediumSignature FrameSignature; ///< of what Frame holds; empty: of nothing
+  bool Reused = false;               ///< the last Draw showed what Frame held already
   int Output = 0;
 };
 

@@ -5,6 +5,12 @@
 #include <cstdint>
 
 //------------------------------------------------------------------------------
+void vtkMediumSignature::Add(const vtkMediumSignature& other)
+{
+  this->Values.insert(this->Values.end(), other.Values.begin(), other.Values.end());
+}
+
+//------------------------------------------------------------------------------
 void vtkMediumSignature::Add(const glm::dvec3& value)
 {
   this->Values.insert(this->Values.end(), { value.x, value.y, value.z });
@@ -147,5 +153,29 @@ vtkMediumSignature vtkMediumSignature::OfContentAndLights(const vtkMediumScene& 
     signature.Add(light);
   }
   signature.Add(scene.Cut);
+  return signature;
+}
+
+//------------------------------------------------------------------------------
+vtkMediumSignature vtkMediumSignature::OfFrame(
+  const vtkMediumScene& scene, const vtkMediumPlan::Settings& settings)
+{
+  vtkMediumSignature signature = OfContentAndLights(scene);
+  signature.Add(scene.Scalars);
+  for (int column = 0; column < 4; ++column)
+  {
+    signature.Add(glm::dvec3(scene.Eye.LocalToClip[column]));
+    signature.Add(scene.Eye.LocalToClip[column].w);
+  }
+  for (double value : { double(settings.Integrator), double(settings.Output),
+         settings.SampleDistance, settings.LightSampleDistance,
+         double(settings.BinarySearchIterations), settings.Jitter, settings.TransmittanceThreshold,
+         settings.PaperThreshold, double(settings.AssumeConvex), double(settings.CountTaps),
+         double(settings.DepthDefinition), settings.DepthTransmittance, settings.MaximumError,
+         double(settings.LightMethod), settings.LightTolerance, double(settings.Hurried),
+         settings.ControlledLightStep, settings.ControlledStep, double(settings.LightCacheBytes) })
+  {
+    signature.Add(value);
+  }
   return signature;
 }

@@ -10,6 +10,7 @@
 #ifndef vtkMediumSignature_h
 #define vtkMediumSignature_h
 
+#include "vtkMediumPlan.h"
 #include "vtkMediumScene.h"
 #include "vtkParticipatingMediaRenderingModule.h" // for the export macro
 
@@ -28,12 +29,18 @@ public:
   /// All that changes the image of a scene materially, but for the camera.
   static vtkMediumSignature OfContentAndLights(const vtkMediumScene& scene);
 
+  /// All that an integrated frame depends on, but for the viewport and what hides the volume.
+  static vtkMediumSignature OfFrame(
+    const vtkMediumScene& scene, const vtkMediumPlan::Settings& settings);
+
+  void Add(double value) { this->Values.push_back(value); }
+  void Add(const vtkMediumSignature& other);
+
   bool operator==(const vtkMediumSignature& other) const { return this->Values == other.Values; }
   bool operator!=(const vtkMediumSignature& other) const { return !(*this == other); }
   bool IsEmpty() const { return this->Values.empty(); }
 
 private:
-  void Add(double value) { this->Values.push_back(value); }
   void Add(const glm::dvec3& value);
   /// The coefficient with all that it reads.
   void Add(const vtkMediumScene::Coefficient& coefficient, const vtkMediumScene::Medium& content);

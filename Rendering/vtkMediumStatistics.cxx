@@ -17,6 +17,7 @@ void vtkMediumStatistics::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Frames: " << this->Frames << "\n";
+  os << indent << "FramesReused: " << this->FramesReused << "\n";
   os << indent << "Passes: " << this->Passes << "\n";
   os << indent << "PixelEdge: " << this->PixelEdge << "\n";
   os << indent << "LightMethod: " << this->LightMethod << "\n";

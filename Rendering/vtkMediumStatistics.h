@@ -72,9 +72,11 @@ public:
   ///@}
 
   ///@{
-  /// Since creation: frames drawn, textures uploaded (not counting the lights' few numbers), programs
+  /// Since creation: frames drawn, those of them that only showed again what was integrated for the one
+  /// before, textures uploaded (not counting the lights' few numbers), programs
   /// compiled, bricks built for an extinction, light caches built, and steps found from probe pixels.
   vtkGetMacro(Frames, vtkTypeInt64);
+  vtkGetMacro(FramesReused, vtkTypeInt64);
   vtkGetMacro(TextureUploads, vtkTypeInt64);
   vtkGetMacro(ProgramCompiles, vtkTypeInt64);
   vtkGetMacro(BrickBuilds, vtkTypeInt64);
@@ -107,6 +109,7 @@ private:
   double IntegrateMilliseconds = 0;
   double FrameMilliseconds = 0;
   vtkTypeInt64 Frames = 0;
+  vtkTypeInt64 FramesReused = 0;
   vtkTypeInt64 TextureUploads = 0;
   vtkTypeInt64 ProgramCompiles = 0;
   vtkTypeInt64 BricksVisited = 0;
