@@ -47,6 +47,7 @@ vtkMediumPlan::vtkMediumPlan(
   {
     return;
   }
+  this->ConstantExtinction = vtkMediumStructure::HasConstantExtinction(scene.Content);
   this->ChooseSteps(scene, settings);
   this->Jitter = settings.Jitter;
   this->DepthTransmittance = settings.DepthTransmittance;
@@ -147,7 +148,7 @@ void vtkMediumPlan::ChooseSteps(const vtkMediumScene& scene, const Settings& set
 // Of the loops of one light ray, at most.
 int vtkMediumPlan::CountLightIterations(bool paper) const
 {
-  if (this->CachedLights > 0 && !this->CacheRoughness)
+  if ((this->CachedLights > 0 && !this->CacheRoughness) || (this->ConstantExtinction && !paper))
   {
     return 1;
   }

@@ -118,9 +118,10 @@ public:
   double LightTolerance =
     0;                      ///< with CacheRoughness: radiance a local unit that look-ups may err by
   int LightLookUpEvery = 1; ///< with CacheRoughness: iterations from look-up to look-up
-  bool Lit = false;         ///< light rays are marched: there is light, and something scatters it
-  double EyeStep = 0;       ///< local units
-  double LightStep = 0;     ///< local units
+  bool ConstantExtinction = false; ///< the optical depth of a light ray is its length
+  bool Lit = false;     ///< light rays are marched: there is light, and something scatters it
+  double EyeStep = 0;   ///< local units
+  double LightStep = 0; ///< local units
   double TransmittanceThreshold = 0;
   double DepthTransmittance = 0;
   double Jitter = 0;         ///< Paper: fraction of a step

@@ -42,6 +42,13 @@ std::string Expression(const vtkMediumScene::Coefficient& coefficient, const cha
 }
 
 //------------------------------------------------------------------------------
+bool vtkMediumStructure::HasConstantExtinction(const vtkMediumScene::Medium& content)
+{
+  return content.Masks.empty() && content.Extinction.IsConstant() &&
+    (!content.ExtinctionIsAbsorption || content.Scattering.IsConstant());
+}
+
+//------------------------------------------------------------------------------
 std::string vtkMediumStructure::ContentDefines(const vtkMediumScene::Medium& content)
 {
   std::ostringstream text;
@@ -52,6 +59,10 @@ std::string vtkMediumStructure::ContentDefines(const vtkMediumScene::Medium& con
        << mask << ")\n";
   text << "#define SCATTERING(box) (" << Expression(content.Scattering, "scatteringScale", content)
        << (content.ScatteringIsAlbedo ? "" : mask) << ")\n";
+  if (HasConstantExtinction(content))
+  {
+    text << "#define EXTINCTION_CONSTANT\n";
+  }
   if (content.ExtinctionIsAbsorption)
   {
     text << "#define EXTINCTION_IS_ABSORPTION\n";

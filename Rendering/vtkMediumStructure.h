@@ -19,6 +19,8 @@
 class VTKPARTICIPATINGMEDIARENDERING_EXPORT vtkMediumStructure
 {
 public:
+  /// Whether the extinction is the same everywhere, so that optical depths are lengths.
+  static bool HasConstantExtinction(const vtkMediumScene::Medium& content);
   static std::string ContentDefines(const vtkMediumScene::Medium& content);
   /// How the Exact integrator takes the mean of the extinction over a segment.
   static std::string ExactDefines(const vtkMediumScene::Medium& content);

@@ -12,7 +12,7 @@ SPECTRUM fixedStepSegment(EyeRay ray, vec2 segment, SPECTRUM before, inout Frame
   float middle = segment.x + 0.5 * width;
   vec3 point = ray.origin + middle * ray.direction;
   Content content = contentAt(frameBoxPoint(point));
-  COUNT(1);
+  COUNT(FIELD_COUNT > 0 ? 1 : 0);
   SPECTRUM depth = content.extinction * width;
   SPECTRUM weight = transmittance(before) * segmentMeanTransmittance(depth);
 #ifdef LIGHT_CACHE_ROUGHNESS

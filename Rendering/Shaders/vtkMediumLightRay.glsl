@@ -14,6 +14,6 @@ SPECTRUM lightTransmittance(int number, vec3 point, Light light)
   {
     sum += lightSteps(start, along, keptStep(steps, i));
   }
-  COUNT(steps.count * LIGHT_TAPS);
+  COUNT(steps.count * LIGHT_STEPS_LOOK_UPS);
   return transmittance(sum);
 }

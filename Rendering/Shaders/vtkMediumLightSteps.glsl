@@ -13,8 +13,15 @@
 #define LIGHT_STEPS_TAP(k)                                                                         \
   part += contentExtinction(start + (segment.x + (float(k) + 0.5) * width) * along);
 
-// The longest that LIGHT_TAPS steps may be together, so that each is at most lightStep.
+// The longest that LIGHT_TAPS steps may be together, so that each is at most lightStep. Where extinction
+// is the same everywhere, one segment is exact, whatever its length, and looks nothing up.
+#ifdef EXTINCTION_CONSTANT
+#define LIGHT_STEPS_LONGEST 1.0e30
+#define LIGHT_STEPS_LOOK_UPS 0
+#else
 #define LIGHT_STEPS_LONGEST (lightStep * float(LIGHT_TAPS))
+#define LIGHT_STEPS_LOOK_UPS LIGHT_TAPS
+#endif
 
 // The optical depth of a segment (begin, width) of the ray; start and along in box coordinates.
 SPECTRUM lightSteps(vec3 start, vec3 along, vec2 segment)

@@ -166,3 +166,28 @@ TEST(Reuse, NothingInViewDrawsNothing)
     EXPECT_TRUE(scene.Render().IsLight()) << integrator;
   }
 }
+
+//------------------------------------------------------------------------------
+// Optical depths are lengths: no texture is looked up, and light rays cost the same at any step.
+TEST(Reuse, HomogeneousMediaLookNothingUp)
+{
+  for (int integrator : { vtkSingleScatteringVolumeMapper::FixedStep,
+         vtkSingleScatteringVolumeMapper::ErrorControlled })
+  {
+    Scene scene(MakeBox(), 32);
+    scene.Medium->SetExtinction(2);
+    scene.AddBeam({ 1, -0.8, -0.2 });
+    scene.Mapper->SetIntegrator(integrator);
+    scene.Mapper->GetStatistics()->CountTapsOn();
+    scene.SetSteps(0.01, 0.5);
+    const Picture coarse = scene.Render();
+    ASSERT_TRUE(coarse.IsLight());
+    EXPECT_EQ(scene.Mapper->GetStatistics()->GetTaps(), 0);
+    EXPECT_GT(scene.Mapper->GetStatistics()->GetRays(), 0);
+    EXPECT_EQ(scene.Mapper->GetStatistics()->GetLightCacheBuilds(), 0);
+    scene.SetSteps(0.01, 1e-4);
+    EXPECT_EQ(scene.Render().Values, coarse.Values) << integrator;
+    EXPECT_EQ(scene.Mapper->GetStatistics()->GetPasses(),
+      scene.Mapper->GetStatistics()->GetFramesReused() > 0 ? 0 : 1);
+  }
+}
