@@ -136,6 +136,16 @@ std::vector<float> vtkMediumImages::Errors(const std::vector<float>& radiance,
 }
 
 //------------------------------------------------------------------------------
+glm::dvec3 vtkMediumImages::FindPoint(
+  const vtkMediumScene::View& eye, const glm::ivec2& size, const glm::ivec2& pixel, double t)
+{
+  const glm::dvec2 at = (glm::dvec2(pixel) + 0.5) / glm::dvec2(size) * 2.0 - 1.0;
+  const glm::dvec3 direction =
+    glm::normalize(eye.Direction + at.x * eye.DirectionX + at.y * eye.DirectionY);
+  return eye.Origin + at.x * eye.OriginX + at.y * eye.OriginY + t * direction;
+}
+
+//------------------------------------------------------------------------------
 std::vector<float> vtkMediumImages::WindowDepths(
   const std::vector<float>& hits, const vtkMediumScene::View& eye, const glm::ivec2& size)
 {
@@ -145,11 +155,7 @@ std::vector<float> vtkMediumImages::WindowDepths(
     for (int x = 0; x < size.x; ++x)
     {
       const double t = hits[4 * depths.size()];
-      const glm::dvec2 at = (glm::dvec2(x, y) + 0.5) / glm::dvec2(size) * 2.0 - 1.0;
-      const glm::dvec3 direction =
-        glm::normalize(eye.Direction + at.x * eye.DirectionX + at.y * eye.DirectionY);
-      const glm::dvec4 point(
-        eye.Origin + at.x * eye.OriginX + at.y * eye.OriginY + t * direction, 1);
+      const glm::dvec4 point(FindPoint(eye, size, { x, y }, t), 1);
       const double depth = 0.5 + 0.5 * glm::dot(eye.ClipZ, point) / glm::dot(eye.ClipW, point);
       depths.push_back(
         !IsHit(hits[4 * depths.size()]) ? 1.0f : static_cast<float>(glm::clamp(depth, 0.0, 1.0)));

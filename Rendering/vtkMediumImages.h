@@ -34,6 +34,10 @@ public:
   static std::vector<float> Errors(const std::vector<float>& radiance,
     const std::vector<float>& coarser, const std::vector<float>& hits);
 
+  /// The point at t on the eye ray of a pixel, local.
+  static glm::dvec3 FindPoint(
+    const vtkMediumScene::View& eye, const glm::ivec2& size, const glm::ivec2& pixel, double t);
+
   /// Window depths, 0 to 1, of the first hits; 1 where there is none.
   static std::vector<float> WindowDepths(
     const std::vector<float>& hits, const vtkMediumScene::View& eye, const glm::ivec2& size);

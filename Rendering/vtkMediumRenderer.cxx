@@ -25,26 +25,6 @@
 namespace
 {
 //------------------------------------------------------------------------------
-/// Where the renderer draws, in pixels of the window or of the tile that it is.
-vtkMediumFrame::Viewport FindViewport(vtkRenderer* renderer)
-{
-  vtkMediumFrame::Viewport viewport;
-  renderer->GetTiledSizeAndOrigin(
-    &viewport.Size.x, &viewport.Size.y, &viewport.Origin.x, &viewport.Origin.y);
-  vtkWindow* window = renderer->GetRenderWindow();
-  const int* size = window->GetSize(); // of all tiles together
-  double tile[4], part[4];
-  window->GetTileViewport(tile);
-  renderer->GetViewport(part);
-  for (int axis = 0; axis < 2; ++axis)
-  {
-    const double before = (tile[axis] - part[axis]) * size[axis] + viewport.Origin[axis];
-    viewport.FirstPixel[axis] = std::max(static_cast<int>(std::lround(before)), 0);
-  }
-  return viewport;
-}
-
-//------------------------------------------------------------------------------
 /// Milliseconds since it was made, or since the last lap.
 class Stopwatch
 {
@@ -93,7 +73,8 @@ std::string vtkMediumRenderer::Draw(const Request& request, vtkMediumStatistics*
   watch.Lap();
   const double compiledBefore = this->Programs.GetCompileMilliseconds();
   const vtkMediumPlan plan(this->Scene, settings, device);
-  refusal = this->DrawFrame(request, settings, plan);
+  refusal = request.Selector ? this->DrawSelection(request, plan)
+                             : this->DrawFrame(request, settings, plan);
   const double compiled = this->Programs.GetCompileMilliseconds();
   statistics->CompileMilliseconds = compiled;
   statistics->IntegrateMilliseconds = watch.Lap() - (compiled - compiledBefore);
@@ -182,6 +163,25 @@ std::string vtkMediumRenderer::UseWindow(vtkRenderer* renderer)
     this->Window = window;
   }
   return {};
+}
+
+//------------------------------------------------------------------------------
+vtkMediumFrame::Viewport vtkMediumRenderer::FindViewport(vtkRenderer* renderer)
+{
+  vtkMediumFrame::Viewport viewport;
+  renderer->GetTiledSizeAndOrigin(
+    &viewport.Size.x, &viewport.Size.y, &viewport.Origin.x, &viewport.Origin.y);
+  vtkWindow* window = renderer->GetRenderWindow();
+  const int* size = window->GetSize(); // of all tiles together
+  double tile[4], part[4];
+  window->GetTileViewport(tile);
+  renderer->GetViewport(part);
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const double before = (tile[axis] - part[axis]) * size[axis] + viewport.Origin[axis];
+    viewport.FirstPixel[axis] = std::max(static_cast<int>(std::lround(before)), 0);
+  }
+  return viewport;
 }
 
 //------------------------------------------------------------------------------

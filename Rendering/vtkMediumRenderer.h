@@ -27,6 +27,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 class vtkAbstractVolumeMapper;
 class vtkDataArray;
+class vtkHardwareSelector;
 class vtkImageData;
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
@@ -57,12 +58,16 @@ public:
     double PixelEdge = 1;     ///< pixels of the window that share a ray, along each axis
     double Seconds = 1e9;     ///< ErrorControlled: the time that the window has for this frame
     bool Show = true;         ///< in the window
+    vtkHardwareSelector* Selector = nullptr; ///< to be shown where the medium is, see Select
     vtkMediumPlan::Settings Settings;
   };
 
   /// Draws a frame and writes down what it took. Returns an empty string, or why the frame cannot be
   /// drawn right.
   std::string Draw(const Request& request, vtkMediumStatistics* statistics);
+
+  /// Draws the current pass of the request's selector. What the last frame left stays.
+  std::string Select(const Request& request);
 
   /// The last frame: what it holds, and the scene that it was drawn from.
   vtkMediumFrame& GetFrame() { return this->Frame; }
@@ -84,6 +89,8 @@ public:
 
 private:
   std::string UseWindow(vtkRenderer* renderer);
+  /// Where the renderer draws, in pixels of the window or of the tile that it is.
+  static vtkMediumFrame::Viewport FindViewport(vtkRenderer* renderer);
   std::string Gather(const Request& request);
   std::string GatherView(vtkRenderer* renderer);
   std::string Prepare(const Request& request, const vtkMediumPlan::Capabilities& device,
@@ -97,6 +104,7 @@ private:
     const Request& request, const vtkMediumPlan::Settings& settings, const vtkMediumPlan& plan);
   std::string IntegrateFrame(const Request& request, const vtkMediumPlan& plan,
     const vtkMediumFrame::Viewport& viewport, bool mayBeHidden);
+  std::string DrawSelection(const Request& request, const vtkMediumPlan& plan);
   std::string Integrate(vtkMediumFrame& frame, const vtkMediumPlan& plan);
   static vtkMediumPlan::Capabilities FindCapabilities();
   void CountWork(const vtkMediumPlan& plan, vtkMediumStatistics* statistics);

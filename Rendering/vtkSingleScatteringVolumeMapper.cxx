@@ -64,19 +64,25 @@ void vtkSingleScatteringVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* v
 {
   if (renderer->GetSelector())
   {
-    return; // the volume is not part of a hardware selection
+    this->Report(this->RenderToImage ? std::string() : this->Draw(renderer, volume));
+    return;
   }
   const double start = vtkTimerLog::GetUniversalTime();
   this->InvokeEvent(vtkCommand::VolumeMapperRenderStartEvent, nullptr);
-  const std::string refusal = this->Draw(renderer, volume);
+  this->Report(this->Draw(renderer, volume));
+  this->TimeToDraw = vtkTimerLog::GetUniversalTime() - start;
+  this->Statistics->FrameMilliseconds = 1e3 * this->TimeToDraw;
+  this->InvokeEvent(vtkCommand::VolumeMapperRenderEndEvent, nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkSingleScatteringVolumeMapper::Report(const std::string& refusal)
+{
   if (!refusal.empty() && refusal != this->LastRefusal)
   {
     vtkErrorMacro(<< refusal);
   }
   this->LastRefusal = refusal;
-  this->TimeToDraw = vtkTimerLog::GetUniversalTime() - start;
-  this->Statistics->FrameMilliseconds = 1e3 * this->TimeToDraw;
-  this->InvokeEvent(vtkCommand::VolumeMapperRenderEndEvent, nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -125,6 +131,11 @@ std::string vtkSingleScatteringVolumeMapper::Draw(vtkRenderer* renderer, vtkVolu
     this->AutoAdjustSampleDistances ? volume->GetAllocatedRenderTime() : VTK_DOUBLE_MAX;
   request.AlwaysCache = this->LightCaches == CachesAlways;
 
+  request.Selector = renderer->GetSelector();
+  if (request.Selector)
+  {
+    return this->Drawing->Select(request);
+  }
   const std::string problem = this->Drawing->Draw(request, this->Statistics);
   if (problem.empty() && this->Drawing->GetNonFinite() > 0)
   {

@@ -46,6 +46,15 @@
  * or opacities step by step (additive), which has no meaning here. A radiograph is an output instead:
  * Transmittance is what is left of a light behind the volume, OpticalDepth the integral of the extinction.
  *
+ * @par Picking and selection
+ * vtkHardwareSelector, and what uses it (vtkPropPicker, vtkRenderer::PickProp), see the medium where more
+ * than 3/255 of the light from behind is lost, as with VTK's own volume mapper. The depth, and the number
+ * of the point or cell, are those of the place where that is reached; with Paper, of the first hit.
+ * vtkCellPicker and vtkVolumePicker look at the input's scalars and the volume's property themselves:
+ * they find the first place where the opacity of one unit distance is above their
+ * VolumeOpacityIsovalue, also where a vtkParticipatingMedium is drawn, of which they know nothing.
+ * While RenderToImage is on there is nothing to select.
+ *
  * @par The integrators
  * | name | what it does | order |
  * | --- | --- | --- |
@@ -342,6 +351,7 @@ private:
   // Each returns an empty string, or why the frame cannot be drawn right.
   std::string Draw(vtkRenderer* renderer, vtkVolume* volume);
   std::string CheckContract();
+  void Report(const std::string& refusal);
 
   vtkSmartPointer<vtkImageData> MaskInput;
   vtkSmartPointer<vtkParticipatingMedium> Medium;
