@@ -166,8 +166,10 @@ void vtkMediumFrame::SetContentUniforms(
 
 //------------------------------------------------------------------------------
 bool vtkMediumFrame::Integrate(vtkMediumProgram& programs, vtkMediumTextures& textures,
-  vtkMediumAccelerator& accelerator, const vtkMediumScene& scene, const vtkMediumPlan& plan)
+  vtkMediumAccelerator& accelerator, const vtkMediumScene& scene, const vtkMediumPlan& plan,
+  const Progress& progress)
 {
+  this->Complete = false;
   const glm::ivec2 rays = this->View.GetRays();
   vtkOpenGLState* state = this->Window->GetState();
   vtkShaderProgram* program = programs.Use(this->Window, plan.ShaderFiles, plan.ShaderDefines);
@@ -204,6 +206,7 @@ bool vtkMediumFrame::Integrate(vtkMediumProgram& programs, vtkMediumTextures& te
     accelerator.ProjectTiles(scene, rays);
     seen = accelerator.GetScissor();
   }
+  this->Complete = true;
   if (seen.z > 0 && seen.w > 0)
   {
     state->vtkglEnable(GL_SCISSOR_TEST);
@@ -214,11 +217,7 @@ bool vtkMediumFrame::Integrate(vtkMediumProgram& programs, vtkMediumTextures& te
     program->SetUniformi("opaqueDepth", this->Depth.GetTexture()->GetTextureUnit());
     this->SetFrameUniforms(program, scene, plan);
     this->SetContentUniforms(program, scene, plan);
-    for (const vtkMediumPlan::Pass& pass : plan.Passes)
-    {
-      plan.IterationBudget > 0 ? this->DrawUntilOver(programs, program, pass)
-                               : this->DrawPass(programs, program, pass);
-    }
+    this->Complete = this->DrawPasses(programs, program, plan, progress);
     this->Depth.GetTexture()->Deactivate();
     accelerator.Deactivate();
     textures.Deactivate();
@@ -228,22 +227,46 @@ bool vtkMediumFrame::Integrate(vtkMediumProgram& programs, vtkMediumTextures& te
 }
 
 //------------------------------------------------------------------------------
-void vtkMediumFrame::DrawUntilOver(
-  vtkMediumProgram& programs, vtkShaderProgram* program, const vtkMediumPlan::Pass& pass)
+// False where it was stopped between two draws.
+bool vtkMediumFrame::DrawPasses(vtkMediumProgram& programs, vtkShaderProgram* program,
+  const vtkMediumPlan& plan, const Progress& progress)
 {
-  vtkMediumPlan::Pass draw = pass;
-  bool over = false;
-  while (!over)
+  const std::size_t passes = plan.Passes.size();
+  for (std::size_t i = 0; i < passes; ++i)
   {
-    this->DrawPass(programs, program, draw);
-    ++draw.FirstStep; // the march begins in the first draw and goes on in the others
-    const std::vector<float> hits = this->DownloadHits();
-    over = true;
-    for (std::size_t i = 3; i < hits.size(); i += 4)
+    vtkMediumPlan::Pass draw = plan.Passes[i];
+    for (bool over = false; !over;)
     {
-      over = over && hits[i] != Unfinished;
+      this->DrawPass(programs, program, draw);
+      ++draw.FirstStep; // a march that goes on in the next draw began in the first
+      over = plan.IterationBudget == 0 || this->IsOver();
+      const bool last = over && i + 1 == passes;
+      if (progress)
+      {
+        last ? glFlush() : glFinish(); // a draw that is only queued cannot be stopped
+        if (!progress((i + over) / static_cast<double>(passes)) && !last)
+        {
+          return false;
+        }
+      }
     }
   }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Whether every pixel's march is.
+bool vtkMediumFrame::IsOver()
+{
+  const std::vector<float> hits = this->Read(1);
+  for (std::size_t i = 3; i < hits.size(); i += 4)
+  {
+    if (hits[i] == Unfinished)
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -318,6 +341,12 @@ bool vtkMediumFrame::Show(vtkMediumProgram& programs, const Shown& shown, vtkMed
 
 //------------------------------------------------------------------------------
 std::vector<float> vtkMediumFrame::Download(int target)
+{
+  return this->Complete ? this->Read(target) : std::vector<float>();
+}
+
+//------------------------------------------------------------------------------
+std::vector<float> vtkMediumFrame::Read(int target)
 {
   vtkTextureObject* texture = this->Textures[this->Result][target];
   if (!texture->GetHandle())

@@ -23,8 +23,9 @@
 
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
-#include <string>
 
+#include <functional>
+#include <string>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -75,6 +76,9 @@ public:
     double Scale = 1;   ///< 1 / (the value that is shown as 1, less that)
   };
 
+  /// Told after each draw which part of the frame is integrated, 0 to 1; false stops there.
+  using Progress = std::function<bool(double fraction)>;
+
   /// Makes the targets and copies the depth of what is drawn already, or takes it that nothing is.
   /// Returns an empty string, or what the device could not do.
   std::string Begin(
@@ -82,13 +86,17 @@ public:
 
   /// Integrates the plan's passes into the targets. False if the program does not compile.
   bool Integrate(vtkMediumProgram& programs, vtkMediumTextures& textures,
-    vtkMediumAccelerator& accelerator, const vtkMediumScene& scene, const vtkMediumPlan& plan);
+    vtkMediumAccelerator& accelerator, const vtkMediumScene& scene, const vtkMediumPlan& plan,
+    const Progress& progress = {});
+  /// Whether the last Integrate went to its end.
+  bool IsComplete() const { return this->Complete; }
 
   /// Blends the result over the viewport; an Error is its difference from `coarser`. False if the
   /// program does not compile.
   bool Show(vtkMediumProgram& programs, const Shown& shown, vtkMediumFrame& coarser);
 
-  /// The integrated targets, four floats a ray, first row at the bottom; empty before any frame.
+  /// The integrated targets, four floats a ray, first row at the bottom; empty before any frame and
+  /// after one that was stopped.
   std::vector<float> DownloadRadiance() { return this->Download(0); }
   std::vector<float> DownloadHits() { return this->Download(1); }
   const Viewport& GetViewport() const { return this->View; }
@@ -102,12 +110,14 @@ private:
   static constexpr int Targets = 3;
 
   std::vector<float> Download(int target);
+  std::vector<float> Read(int target);
   void SetFrameUniforms(
     vtkShaderProgram* program, const vtkMediumScene& scene, const vtkMediumPlan& plan);
   void SetContentUniforms(
     vtkShaderProgram* program, const vtkMediumScene& scene, const vtkMediumPlan& plan);
-  void DrawUntilOver(
-    vtkMediumProgram& programs, vtkShaderProgram* program, const vtkMediumPlan::Pass& pass);
+  bool DrawPasses(vtkMediumProgram& programs, vtkShaderProgram* program, const vtkMediumPlan& plan,
+    const Progress& progress);
+  bool IsOver();
   void DrawPass(
     vtkMediumProgram& programs, vtkShaderProgram* program, const vtkMediumPlan::Pass& pass);
   void BindTargets(int set);
@@ -121,6 +131,7 @@ private:
   int UsedTargets = 2;
   int UsedSets = 1;
   int Draws = 0;
+  bool Complete = false;
   int Result = 0; ///< the set that holds the integrated frame
 };
 

@@ -78,11 +78,12 @@ std::string vtkMediumRenderer::Draw(const Request& request, vtkMediumStatistics*
   const double compiled = this->Programs.GetCompileMilliseconds();
   statistics->CompileMilliseconds = compiled;
   statistics->IntegrateMilliseconds = watch.Lap() - (compiled - compiledBefore);
-  if (refusal.empty())
+  const bool complete = refusal.empty() && this->Frame.IsComplete();
+  if (complete)
   {
     this->CountWork(plan, statistics);
   }
-  if (refusal.empty() && this->Economy.Hurried)
+  if (complete && this->Economy.Hurried)
   {
     this->Budget.Learn(
       this->Economy, pixels.x * pixels.y, 1e-3 * statistics->IntegrateMilliseconds);
@@ -232,10 +233,11 @@ vtkMediumPlan::Capabilities vtkMediumRenderer::FindCapabilities()
 }
 
 //------------------------------------------------------------------------------
-std::string vtkMediumRenderer::Integrate(vtkMediumFrame& frame, const vtkMediumPlan& plan)
+std::string vtkMediumRenderer::Integrate(
+  vtkMediumFrame& frame, const vtkMediumPlan& plan, const vtkMediumFrame::Progress& progress)
 {
   const bool compiled =
-    frame.Integrate(this->Programs, this->Textures, this->Accelerator, this->Scene, plan);
+    frame.Integrate(this->Programs, this->Textures, this->Accelerator, this->Scene, plan, progress);
   return compiled ? std::string()
                   : "A shader did not compile on this device; the compiler's words are above.";
 }
@@ -247,9 +249,10 @@ std::string vtkMediumRenderer::IntegrateFrame(const Request& request, const vtkM
   std::string refusal = this->Frame.Begin(this->Window, viewport, plan.NeedsState(), mayBeHidden);
   if (refusal.empty())
   {
-    refusal = this->Integrate(this->Frame, plan);
+    refusal = this->Integrate(this->Frame, plan, request.Progress);
   }
-  if (refusal.empty() && request.Settings.Output == vtkSingleScatteringVolumeMapper::ErrorEstimate)
+  if (refusal.empty() && this->Frame.IsComplete() &&
+    request.Settings.Output == vtkSingleScatteringVolumeMapper::ErrorEstimate)
   {
     refusal = this->Probe.Begin(this->Window, viewport, plan.NeedsState(), mayBeHidden);
     refusal = refusal.empty() ? this->Integrate(this->Probe, plan.Coarser()) : refusal;
@@ -281,10 +284,13 @@ std::string vtkMediumRenderer::DrawFrame(
   {
     this->FrameSignature = vtkMediumSignature();
     refusal = this->IntegrateFrame(request, plan, viewport, surroundings.MayHide());
-    this->FrameSignature = refusal.empty() ? signature : vtkMediumSignature();
+    if (refusal.empty() && this->Frame.IsComplete())
+    {
+      this->FrameSignature = signature;
+    }
   }
   this->Output = request.Settings.Output;
-  const bool inView = this->Frame.GetDraws() > 0;
+  const bool inView = this->Frame.IsComplete() && this->Frame.GetDraws() > 0;
   if (refusal.empty() && request.Show && inView &&
     !this->Frame.Show(
       this->Programs, vtkMediumImages::FindShown(this->Scene, this->Output), this->Probe))

@@ -58,6 +58,7 @@ public:
     double PixelEdge = 1;     ///< pixels of the window that share a ray, along each axis
     double Seconds = 1e9;     ///< ErrorControlled: the time that the window has for this frame
     bool Show = true;         ///< in the window
+    vtkMediumFrame::Progress Progress;       ///< told after each draw of the frame; false stops it
     vtkHardwareSelector* Selector = nullptr; ///< to be shown where the medium is, see Select
     vtkMediumPlan::Settings Settings;
   };
@@ -105,7 +106,8 @@ private:
   std::string IntegrateFrame(const Request& request, const vtkMediumPlan& plan,
     const vtkMediumFrame::Viewport& viewport, bool mayBeHidden);
   std::string DrawSelection(const Request& request, const vtkMediumPlan& plan);
-  std::string Integrate(vtkMediumFrame& frame, const vtkMediumPlan& plan);
+  std::string Integrate(vtkMediumFrame& frame, const vtkMediumPlan& plan,
+    const vtkMediumFrame::Progress& progress = {});
   static vtkMediumPlan::Capabilities FindCapabilities();
   void CountWork(const vtkMediumPlan& plan, vtkMediumStatistics* statistics);
 

@@ -11,7 +11,10 @@
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderPass.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkTimerLog.h"
 #include "vtkVolume.h"
@@ -45,6 +48,26 @@ const char* NameOfBlendMode(vtkVolumeMapper& mapper)
 }
 
 vtkStandardNewMacro(vtkSingleScatteringVolumeMapper);
+
+namespace
+{
+//------------------------------------------------------------------------------
+// Whether a depth peeling pass draws the volume, layer by layer.
+bool IsPeeled(vtkVolume* volume)
+{
+  vtkInformation* keys = volume->GetPropertyKeys();
+  vtkInformationObjectBaseVectorKey* passes = vtkOpenGLRenderPass::RenderPasses();
+  for (int i = 0; keys && keys->Has(passes) && i < passes->Length(keys); ++i)
+  {
+    vtkObjectBase* pass = passes->Get(keys, i);
+    if (pass && pass->IsA("vtkDualDepthPeelingPass"))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+}
 
 //------------------------------------------------------------------------------
 vtkSingleScatteringVolumeMapper::vtkSingleScatteringVolumeMapper()
@@ -88,7 +111,7 @@ void vtkSingleScatteringVolumeMapper::Report(const std::string& refusal)
 //------------------------------------------------------------------------------
 std::string vtkSingleScatteringVolumeMapper::Draw(vtkRenderer* renderer, vtkVolume* volume)
 {
-  const std::string refusal = this->CheckContract();
+  const std::string refusal = this->CheckContract(volume);
   if (!refusal.empty())
   {
     return refusal;
@@ -109,6 +132,10 @@ std::string vtkSingleScatteringVolumeMapper::Draw(vtkRenderer* renderer, vtkVolu
     this->PhaseFunction == Schlick ? vtkMediumScene::Schlick : vtkMediumScene::HenyeyGreenstein;
   request.MaximumError = this->MaximumError;
   request.Show = !this->RenderToImage;
+  request.Progress = [this, renderer](double fraction) {
+    this->InvokeEvent(vtkCommand::VolumeMapperRenderProgressEvent, &fraction);
+    return renderer->GetRenderWindow()->CheckAbortStatus() == 0;
+  };
 
   vtkMediumPlan::Settings& settings = request.Settings;
   settings.Integrator = this->Integrator;
@@ -147,7 +174,7 @@ std::string vtkSingleScatteringVolumeMapper::Draw(vtkRenderer* renderer, vtkVolu
 }
 
 //------------------------------------------------------------------------------
-std::string vtkSingleScatteringVolumeMapper::CheckContract()
+std::string vtkSingleScatteringVolumeMapper::CheckContract(vtkVolume* volume)
 {
   std::ostringstream text;
   vtkDataObject* input = this->GetDataObjectInput();
@@ -165,6 +192,14 @@ std::string vtkSingleScatteringVolumeMapper::CheckContract()
             "what light loses along a ray is an output, Transmittance or OpticalDepth "
             "(SetOutputToTransmittance, SetOutputToOpticalDepth).";
   }
+  else if (IsPeeled(volume))
+  {
+    text
+      << "The volume is drawn inside depth peeling, which this mapper does not take part in; "
+         "switch "
+         "it off for volumes (UseDepthPeelingForVolumesOff), translucent geometry is then behind "
+         "them all.";
+  }
   return text.str();
 }
 
@@ -175,7 +210,7 @@ void vtkSingleScatteringVolumeMapper::GetColorImage(vtkImageData* image)
   const std::vector<float> radiance = frame.DownloadRadiance();
   if (radiance.empty())
   {
-    vtkErrorMacro(<< "There is no image yet; render a frame first.");
+    vtkErrorMacro(<< "There is no complete image; render a frame first.");
     return;
   }
   const std::vector<float> hits = frame.DownloadHits();
@@ -193,7 +228,7 @@ void vtkSingleScatteringVolumeMapper::GetDepthImage(vtkImageData* image)
   const std::vector<float> hits = frame.DownloadHits();
   if (hits.empty())
   {
-    vtkErrorMacro(<< "There is no image yet; render a frame first.");
+    vtkErrorMacro(<< "There is no complete image; render a frame first.");
     return;
   }
   const glm::ivec2 size = frame.GetViewport().GetRays();
@@ -243,6 +278,53 @@ vtkParticipatingMedium* vtkSingleScatteringVolumeMapper::GetMedium()
 vtkMediumStatistics* vtkSingleScatteringVolumeMapper::GetStatistics()
 {
   return this->Statistics;
+}
+
+//------------------------------------------------------------------------------
+void vtkSingleScatteringVolumeMapper::ShallowCopy(vtkAbstractMapper* mapper)
+{
+  if (auto* volume = vtkVolumeMapper::SafeDownCast(mapper))
+  {
+    this->SetInputConnection(
+      volume->GetNumberOfInputConnections(0) > 0 ? volume->GetInputConnection(0, 0) : nullptr);
+    this->SetBlendMode(volume->GetBlendMode());
+    this->SetCropping(volume->GetCropping());
+    this->SetCroppingRegionPlanes(volume->GetCroppingRegionPlanes());
+    this->SetCroppingRegionFlags(volume->GetCroppingRegionFlags());
+    this->SetScalarMode(volume->GetScalarMode());
+    if (volume->GetArrayAccessMode() == VTK_GET_ARRAY_BY_NAME && volume->GetArrayName())
+    {
+      this->SelectScalarArray(volume->GetArrayName());
+    }
+    else
+    {
+      this->SelectScalarArray(volume->GetArrayId());
+    }
+  }
+  if (auto* other = vtkSingleScatteringVolumeMapper::SafeDownCast(mapper))
+  {
+    this->SetMaskInput(other->MaskInput);
+    this->SetMedium(other->Medium);
+    this->SetAnisotropy(other->Anisotropy);
+    this->SetPhaseFunction(other->PhaseFunction);
+    this->SetIntegrator(other->Integrator);
+    this->SetMaximumError(other->MaximumError);
+    this->SetLightCaches(other->LightCaches);
+    this->SetSampleDistance(other->SampleDistance);
+    this->SetLightSampleDistance(other->LightSampleDistance);
+    this->SetAutoAdjustSampleDistances(other->AutoAdjustSampleDistances);
+    this->SetImageSampleDistance(other->ImageSampleDistance);
+    this->SetBinarySearchIterations(other->BinarySearchIterations);
+    this->SetJitter(other->Jitter);
+    this->SetTransmittanceThreshold(other->TransmittanceThreshold);
+    this->SetPaperThreshold(other->PaperThreshold);
+    this->SetAssumeConvex(other->AssumeConvex);
+    this->SetOutput(other->Output);
+    this->SetDepthDefinition(other->DepthDefinition);
+    this->SetDepthTransmittance(other->DepthTransmittance);
+    this->SetRenderToImage(other->RenderToImage);
+  }
+  this->Superclass::ShallowCopy(mapper);
 }
 
 //------------------------------------------------------------------------------

@@ -27,8 +27,8 @@
  * do; the frame keeps its background and the next valid frame is drawn. A cause that persists is
  * reported once, until it changes or a frame succeeds. Refused are: an input that is not a
  * vtkImageData, has no scalars, has fewer than two points along an axis or a singular matrix; blend
- * modes other than composite; clipping planes and cropping planes that are none; a window that is not
- * OpenGL 3.2; and the parameter values named below.
+ * modes other than composite; clipping planes and cropping planes that are none; depth peeling of
+ * volumes; a window that is not OpenGL 3.2; and the parameter values named below.
  *
  * @par Clipping and cropping
  * Clipping planes (AddClippingPlane; world coordinates; kept is the side that the normal points to) and
@@ -334,6 +334,14 @@ public:
   /// Counters and times of what the mapper did. Never null.
   vtkMediumStatistics* GetStatistics();
 
+  /// Takes the settings of another mapper, its medium and its input connection, but none of what it
+  /// built or drew. Of a volume mapper of another kind, what all volume mappers have.
+  void ShallowCopy(vtkAbstractMapper* mapper) override;
+
+  /// Draws a frame. Events: VolumeMapperRenderStartEvent; VolumeMapperRenderProgressEvent after each
+  /// draw that the march was split over, with a pointer to the fraction that is done, a double (none
+  /// where the last frame is shown again); and VolumeMapperRenderEndEvent. After each draw the window's
+  /// CheckAbortStatus is asked: an aborted frame is not shown and leaves no image.
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
   vtkMTimeType GetMTime() override;
@@ -350,7 +358,7 @@ private:
 
   // Each returns an empty string, or why the frame cannot be drawn right.
   std::string Draw(vtkRenderer* renderer, vtkVolume* volume);
-  std::string CheckContract();
+  std::string CheckContract(vtkVolume* volume);
   void Report(const std::string& refusal);
 
   vtkSmartPointer<vtkImageData> MaskInput;

@@ -184,6 +184,26 @@ vtkDoubleArray* vtkParticipatingMedium::GetPhaseTable()
 }
 
 //------------------------------------------------------------------------------
+void vtkParticipatingMedium::ShallowCopy(vtkParticipatingMedium* other)
+{
+  if (!other || other == this)
+  {
+    return;
+  }
+  this->Sources = other->Sources;
+  this->Parametrization = other->Parametrization;
+  this->DensityScale = other->DensityScale;
+  this->LengthUnit = other->LengthUnit;
+  this->PhaseFunction = other->PhaseFunction;
+  this->BackAnisotropy = other->BackAnisotropy;
+  this->ForwardWeight = other->ForwardWeight;
+  this->DraineAlpha = other->DraineAlpha;
+  this->DropletDiameter = other->DropletDiameter;
+  this->PhaseTable = other->PhaseTable;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
 void vtkParticipatingMedium::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

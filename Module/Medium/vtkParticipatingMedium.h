@@ -284,6 +284,9 @@ public:
   vtkDoubleArray* GetPhaseTable();
   ///@}
 
+  /// Takes all values of another medium, and shares its functions and its phase table.
+  void ShallowCopy(vtkParticipatingMedium* other);
+
 #ifndef __VTK_WRAP__
   /// Where a coefficient comes from, as set above.
   struct Source

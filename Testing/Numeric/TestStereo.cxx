@@ -163,19 +163,27 @@ TEST(Stereo, JitterDoesNotShimmer)
   scene.Mapper->SetSampleDistance(0.15);
   Headset headset;
   headset.PutOn(scene.Window, scene.Renderer);
-  headset.Stand({ 0.1, 0.1, 1.3 }, 0);
-  headset.Camera->Eyes[1] = headset.Camera->Eyes[0];
   for (int frame = 0; frame < 3; ++frame)
   {
+    // The second eye comes to stand where the first one stood, so that nothing is merely shown again.
+    headset.Stand({ 0.1, 0.1, 1.3 }, 0.1);
+    const EyePose pose = headset.Camera->Eyes[0];
     scene.Window->Render();
+    std::swap(headset.Camera->Eyes[0], headset.Camera->Eyes[1]);
+    scene.Window->Render();
+    ASSERT_EQ(headset.Camera->Eyes[1].Position, pose.Position);
   }
-  ASSERT_EQ(scene.Frames.size(), 6u);
-  for (const Picture& picture : scene.Frames)
+  ASSERT_EQ(scene.Frames.size(), 12u);
+  for (int i = 0; i < 12; i += 4)
   {
-    EXPECT_EQ(picture.Values, scene.Frames.front().Values);
+    EXPECT_EQ(scene.Frames[i].Values, scene.Frames[0].Values);     // the left eye
+    EXPECT_EQ(scene.Frames[i + 3].Values, scene.Frames[0].Values); // the right eye in its place
+    EXPECT_EQ(scene.Frames[i + 1].Values, scene.Frames[1].Values);
+    EXPECT_EQ(scene.Frames[i + 2].Values, scene.Frames[1].Values);
   }
   scene.Mapper->SetJitter(0);
-  EXPECT_GT(Difference(scene.Frames.front(), scene.Render()), 1e-3); // there was jitter
+  scene.Window->Render();
+  EXPECT_GT(Difference(scene.Frames[3], scene.Frames.back()), 1e-3); // there was jitter
 }
 
 // VTK's camera shears the view of an eye by half the eye angle about the focal point.
