@@ -148,9 +148,13 @@ void vtkMediumPlan::ChooseSteps(const vtkMediumScene& scene, const Settings& set
 // Of the loops of one light ray, at most.
 int vtkMediumPlan::CountLightIterations(bool paper) const
 {
-  if ((this->CachedLights > 0 && !this->CacheRoughness) || (this->ConstantExtinction && !paper))
+  if (this->CachedLights > 0 && !this->CacheRoughness)
   {
     return 1;
+  }
+  if (this->ConstantExtinction && !paper)
+  {
+    return 5; // one segment, and what a loop costs beyond its iterations
   }
   const int steps = paper ? 1 : LightTapsPerIteration; // an iteration
   const int iterations = static_cast<int>(std::ceil(1 / (this->LightStep * steps)));
