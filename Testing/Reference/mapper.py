@@ -115,9 +115,10 @@ class Stage:
         self.set_steps(voxels)
         return self.render()
 
-    def error_controlled(self) -> np.ndarray:
-        """By the mapper's default, with its default bound."""
+    def error_controlled(self, allowed: float = 1 / 255) -> np.ndarray:
+        """By the mapper's default; the allowed error is a fraction of the image's peak."""
         self.mapper.SetIntegratorToErrorControlled()
+        self.mapper.SetMaximumError(allowed)
         self.set_steps(0)
         return self.render()
 

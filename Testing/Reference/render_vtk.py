@@ -44,8 +44,7 @@ def opacity_of(scene: scenes.Scene, unit: float) -> vtkPiecewiseFunction:
     return function
 
 
-def volume_of(scene: scenes.Scene, step: float) -> vtkVolume:
-    grid = scenes.grid_of(scene)
+def volume_of(scene: scenes.Scene, step: float, grid: np.ndarray, scattering: bool) -> vtkVolume:
     image = vtkImageData()
     image.SetDimensions(grid.shape[::-1])
     image.SetSpacing(scenes.spacing_of(scene))
@@ -56,8 +55,9 @@ def volume_of(scene: scenes.Scene, step: float) -> vtkVolume:
     mapper.AutoAdjustSampleDistancesOff()
     mapper.UseJitteringOff()
     mapper.SetSampleDistance(step * min(scenes.spacing_of(scene)))
-    mapper.SetVolumetricScatteringBlending(2)
-    mapper.SetGlobalIlluminationReach(1)
+    if scattering:
+        mapper.SetVolumetricScatteringBlending(2)
+        mapper.SetGlobalIlluminationReach(1)
     colour = vtkColorTransferFunction()
     colour.AddRGBPoint(0, *[scene.albedo] * 3)
     colour.AddRGBPoint(1, *[scene.albedo] * 3)
@@ -70,14 +70,17 @@ def volume_of(scene: scenes.Scene, step: float) -> vtkVolume:
     prop.SetAmbient(0)
     prop.SetDiffuse(1)
     prop.SetSpecular(0)
-    prop.SetScatteringAnisotropy(scene.g)
+    if scattering:
+        prop.SetScatteringAnisotropy(scene.g)
     volume = vtkVolume()
     volume.SetMapper(mapper)
     volume.SetProperty(prop)
     return volume
 
 
-def render(scene: scenes.Scene, step: float) -> np.ndarray:
+def window_of(scene: scenes.Scene, step: float, grid: np.ndarray,
+              scattering: bool = True) -> vtkRenderWindow:
+    """Off-screen; without scattering it is VTK's composite mapper, shaded, of any VTK."""
     light = vtkLight()
     light.SetLightTypeToSceneLight()
     light.SetPosition(scene.light)
@@ -86,7 +89,7 @@ def render(scene: scenes.Scene, step: float) -> np.ndarray:
     renderer = vtkRenderer()
     renderer.AutomaticLightCreationOff()
     renderer.AddLight(light)
-    renderer.AddVolume(volume_of(scene, step))
+    renderer.AddVolume(volume_of(scene, step, grid, scattering))
     camera = renderer.GetActiveCamera()
     camera.SetPosition(scene.eye)
     camera.SetFocalPoint(0, 0, 0)
@@ -98,6 +101,11 @@ def render(scene: scenes.Scene, step: float) -> np.ndarray:
     window.SetDesiredUpdateRate(0.001)  # above 1 frame a second VTK leaves scattering out
     window.SetSize(scene.pixels, scene.pixels)
     window.AddRenderer(renderer)
+    return window
+
+
+def render(scene: scenes.Scene, step: float) -> np.ndarray:
+    window = window_of(scene, step, scenes.grid_of(scene))
     window.Render()
     for target in window.GetRenderFramebuffer(), window.GetDisplayFramebuffer():
         target.PopulateFramebuffer(scene.pixels, scene.pixels, True, 1, VTK_FLOAT, True, 24, 0)

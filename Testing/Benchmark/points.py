@@ -1,0 +1,158 @@
+# SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""One measured point: a method at one setting of its knob, its error and its cost."""
+
+import statistics
+import time
+from dataclasses import dataclass, replace
+
+import numpy as np
+from against_closed_forms import paper_stage, step_at
+from mapper import Stage, pixels_of
+from page import largest_error
+from scenes import Scene, grid_of
+from vtkmodules.vtkCommonDataModel import vtkImageData
+
+#: A record's fields; None where the point does not have one. Errors are in 1/255 of the peak, costs are
+#: {median, quartiles} in milliseconds of wall-clock time.
+FIELDS = ("method", "field", "volume", "image", "knob", "max_error", "relative_rmse", "p99_9", "cold",
+          "light_changed", "light_dragged", "camera_moved", "taps", "bytes", "device",
+          "estimated_error", "light_method", "pixel_edge", "stages_cold", "stages_light", "scene")
+METHODS = ("FixedStep", "ErrorControlled", "ErrorControlled, no cache", "Exact", "Paper")
+LIGHT_METHODS = ("marched", "looked up", "marched to its cache")
+STAGES = ("Gather", "Upload", "Build", "Calibrate", "Compile", "Integrate", "Frame")
+#: Of the binary field, whose values between voxels are interpolated: where Paper's medium begins.
+THRESHOLD = 0.5
+EXTINCTION = {"smooth": 8, "cloud": 20, "binary": 8, "CT": 40}
+#: Elevation 45 degrees, along no diagonal of the lattice.
+LIGHT = (0.6, 1, 0.8)
+_grids = {}
+
+
+@dataclass(frozen=True)
+class Setting:
+    """What is drawn: a scene, in a few words of the page, and more lights beside its own."""
+
+    scene: Scene
+    words: str = "cube, one light, g = 0"
+    more_lights: tuple = ()
+    grid: np.ndarray = None  #: None: the scene's own
+
+    def values(self) -> np.ndarray:
+        key = self.scene.grid, self.scene.points
+        if self.grid is None and key not in _grids:
+            _grids[key] = grid_of(self.scene)
+        return _grids[key] if self.grid is None else self.grid
+
+
+def setting(field: str, points: int, pixels: int, **changes) -> Setting:
+    words = changes.pop("words", Setting.words)
+    lights = changes.pop("more_lights", ())
+    grid = changes.pop("grid", None)
+    scene = Scene(field, field, EXTINCTION[field], 0, LIGHT, points=points, pixels=pixels)
+    return Setting(replace(scene, **changes), words, lights, grid)
+
+
+def stage_of(what: Setting, method: str) -> Stage:
+    """A fresh window, whose first frame is a cold one."""
+    make = paper_stage if method == "Paper" else Stage
+    stage = make(what.scene, what.values())
+    for direction in what.more_lights:
+        light = type(stage.light)()
+        light.SetLightTypeToSceneLight()
+        light.SetPosition(direction)
+        light.SetFocalPoint(0, 0, 0)
+        stage.renderer.AddLight(light)
+    if method.endswith("no cache"):
+        stage.mapper.SetLightCachesToNever()
+    return stage
+
+
+def draw(stage: Stage, method: str, knob: float) -> np.ndarray:
+    """The knob is a step in voxels, or an allowed error in 1/255 of the peak."""
+    if method == "FixedStep":
+        return stage.fixed_step(knob)
+    if method == "Paper":
+        return stage.paper(knob, THRESHOLD)
+    if method == "Exact":
+        return stage.exact()
+    return stage.error_controlled(knob / 255)
+
+
+def truth_of(what: Setting, stride: int, tolerance: float, method: str = "") -> np.ndarray:
+    """Every stride-th pixel by the reference; Paper's medium is homogeneous above its threshold."""
+    stage = stage_of(what, "")
+    if method == "Paper":
+        stage.medium.SetExtinctionScale(1)
+        stage.medium.SetExtinctionFunction(step_at(THRESHOLD, what.scene.extinction, 1))
+    reference = stage.truth(tolerance)
+    reference.SetPixelStride(stride)
+    image = vtkImageData()
+    if not reference.GetColorImage(image):
+        raise RuntimeError("the reference gave no image")
+    return pixels_of(image)
+
+
+def errors(image: np.ndarray, truth: np.ndarray) -> dict:
+    """Over the pixels that the truth has; it was asked for every stride-th one."""
+    stride = -(-image.shape[0] // truth.shape[0])
+    seen = image[::stride, ::stride]
+    off = np.abs(seen - truth)
+    return {"max_error": 255 * largest_error(seen, truth),
+            "relative_rmse": float(np.sqrt((off ** 2).mean()) / truth.mean()),
+            "p99_9": 255 * float(np.quantile(off, 0.999) / truth.max())}
+
+
+def times_of(window, change, count: int) -> dict:
+    """Frames up to the driver's completion, each after a change."""
+    times = []
+    for _ in range(count):
+        change()
+        start = time.perf_counter()
+        window.Render()
+        window.WaitForCompletion()
+        times.append(1000 * (time.perf_counter() - start))
+    low, _, high = statistics.quantiles(times, n=4) if count > 1 else times * 3
+    return {"median": statistics.median(times), "quartiles": [low, high]}
+
+
+def moved_camera(renderer):
+    return lambda: renderer.GetActiveCamera().Azimuth(0.01)
+
+
+def stages_of(statistics_) -> dict:
+    return {name.lower(): getattr(statistics_, f"Get{name}Milliseconds")() for name in STAGES}
+
+
+def record(**known) -> dict:
+    unknown = set(known) - set(FIELDS)
+    if unknown:
+        raise ValueError(f"a record has no {', '.join(sorted(unknown))}")
+    return {**dict.fromkeys(FIELDS), **known}
+
+
+def measure(what: Setting, method: str, knob: float, truth, device: str, frames: int = 5) -> dict:
+    """A cold frame, its error, then frames with a moved camera; after them one that counts."""
+    stage = stage_of(what, method)
+    start = time.perf_counter()
+    image = draw(stage, method, knob)
+    cold = 1000 * (time.perf_counter() - start)
+    counted = stage.mapper.GetStatistics()
+    known = {"method": method, "field": what.scene.grid, "volume": list(what.values().shape[::-1]),
+             "image": [what.scene.pixels] * 2, "knob": knob, "device": device, "scene": what.words,
+             "cold": {"median": cold, "quartiles": [cold, cold]}, "stages_cold": stages_of(counted),
+             "bytes": counted.GetGPUBytes(), "pixel_edge": counted.GetPixelEdge(),
+             "light_method": LIGHT_METHODS[counted.GetLightMethod()]}
+    if truth is not None:
+        known.update(errors(image, truth))
+    if method.startswith("ErrorControlled"):
+        known["estimated_error"] = 255 * stage.mapper.GetEstimatedError()
+    if frames:
+        move = moved_camera(stage.renderer)
+        known["camera_moved"] = times_of(stage.window, move, frames)
+        counted.CountTapsOn()
+        times_of(stage.window, move, 1)
+        known["taps"] = counted.GetTaps()
+    if stage.failed:
+        raise RuntimeError("the mapper refused to draw; its error is above")
+    return record(**known)
