@@ -11,12 +11,6 @@ namespace
 {
 constexpr double Sigma = 2;
 
-double Chord(const Ray& ray)
-{
-  const double b = std::hypot(ray.Origin.x, ray.Origin.y); // the view is parallel, along -z
-  return b < BallRadius ? 2 * std::sqrt(BallRadius * BallRadius - b * b) : 0;
-}
-
 /// A parallel view along -z onto the ball.
 struct BallScene : PaperScene
 {
@@ -32,7 +26,7 @@ struct BallScene : PaperScene
   void ForEachChord(const std::function<void(int x, int y, double chord, const Ray&)>& visit)
   {
     ForEachPixel(*this, [&](int x, int y, const Ray& ray) {
-      const double chord = Chord(ray);
+      const double chord = BallChord(ray, BallRadius);
       if (chord > 0.6)
       {
         visit(x, y, chord, ray);

@@ -7,6 +7,8 @@
 #ifndef ReferenceSetting_h
 #define ReferenceSetting_h
 
+#include "vtkMediumClosedForms.h"
+
 #include "vtkCamera.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -31,8 +33,7 @@
 
 namespace ReferenceTests
 {
-constexpr double Pi = 3.14159265358979323846;
-constexpr double Isotropic = 1 / (4 * Pi); ///< phase function, per steradian
+using namespace vtkMediumTest; // the closed forms
 
 using Density = std::function<double(const glm::dvec3& box)>;
 
@@ -122,24 +123,6 @@ struct Setting
     return this->Reference->OpticalDepth(&a[0], &b[0]);
   }
 };
-
-/// (1 - exp(-x)) / x.
-inline double MeanTransmittance(double x)
-{
-  return x == 0 ? 1 : -std::expm1(-x) / x;
-}
-
-/// Composite Simpson's rule, the brute force that the reference is held to.
-inline double Simpson(double a, double b, int intervals, const std::function<double(double)>& f)
-{
-  const double h = (b - a) / intervals;
-  double sum = f(a) + f(b);
-  for (int i = 1; i < intervals; ++i)
-  {
-    sum += (i % 2 ? 4 : 2) * f(a + i * h);
-  }
-  return sum * h / 3;
-}
 }
 
 #endif

@@ -85,17 +85,16 @@ TEST(ReferenceClosedForms, BallIsTheLimitOfFinerVoxels)
       const double chord = 2 * std::sqrt(radius * radius - offset * offset);
       const double bound = 2 * sigma * Isotropic / (points - 1);
       light->SetPosition(-1, 0, 0);
-      const double fromEye = sigma * Isotropic * chord * MeanTransmittance(2 * sigma * chord);
+      const double fromEye = Isotropic * BallLitFromTheEye(chord, sigma);
       EXPECT_NEAR(setting.Radiance({ -2, 0.5 + offset, 0.5 }, { 1, 0, 0 }).x, fromEye, bound);
       light->SetPosition(1, 0, 0);
-      const double towardsEye = sigma * Isotropic * chord * std::exp(-sigma * chord);
+      const double towardsEye = Isotropic * BallLitFromBehind(chord, sigma);
       EXPECT_NEAR(setting.Radiance({ -2, 0.5 + offset, 0.5 }, { 1, 0, 0 }).x, towardsEye, bound);
     }
   }
 }
 
-// Sun, Ramamoorthi, Narasimhan and Nayar 2005, for the part of the ray inside the box; the integral
-// over the angle is smooth, and Simpson's rule with 20000 intervals keeps 1e-13 of it.
+// For the part of the ray inside the box.
 TEST(ReferenceClosedForms, PointSourceInHomogeneousMedium)
 {
   const glm::dvec3 origin(0.05, 0.4, 0.5);
@@ -105,12 +104,9 @@ TEST(ReferenceClosedForms, PointSourceInHomogeneousMedium)
     {
       Setting setting(MakeGrid({ 6, 7, 8 }, glm::dvec3(1), One), sigma);
       setting.AddPointLight({ 0.55, 0.4 + distance, 0.5 });
-      const double foot = 0.5;
-      const double begin = std::atan(-foot / distance);
-      const double end = std::atan((0.95 - foot) / distance);
-      const double integral = Simpson(begin, end, 20000,
-        [&](double angle) { return std::exp(-sigma * distance * std::tan(Pi / 4 + angle / 2)); });
-      const double truth = sigma * Isotropic * std::exp(-sigma * foot) / distance * integral;
+      const double truth = Isotropic *
+        PointSourceRadiance(
+          { origin, { 1, 0, 0 }, 0 }, { 0.55, 0.4 + distance, 0.5 }, sigma, 0, 0.95);
       EXPECT_NEAR(setting.Radiance(origin, { 1, 0, 0 }).x / truth, 1, Tolerance)
         << "distance " << distance << ", sigma " << sigma;
     }
@@ -133,7 +129,7 @@ TEST(ReferenceClosedForms, ExponentialAtmosphere)
     const glm::dvec3 begin(0.1, 0.1, 0.1);
     const double length = glm::length(end - begin);
     const double truth =
-      sigma * std::exp(-begin.z / height) * length * MeanTransmittance((end.z - begin.z) / height);
+      AtmosphereDepth(sigma, height, begin.z, (end.z - begin.z) / length, length);
     EXPECT_NEAR(setting.OpticalDepth(begin, end) / truth, 1, sampling + 1e-13);
     EXPECT_NEAR(setting.OpticalDepth(end, begin) / truth, 1, sampling + 1e-13);
   }
@@ -155,8 +151,7 @@ TEST(ReferenceClosedForms, LinearRamp)
       b[axis] = vtkMediumFixtures::Random(6 * i + 3 + axis, 3);
     }
     const double s = glm::length(b - a);
-    const double truth =
-      1.7 * ((0.5 + glm::dot(slope, a)) * s + glm::dot(slope, (b - a) / s) * s * s / 2);
+    const double truth = 1.7 * RampDepth(0.5 + glm::dot(slope, a), glm::dot(slope, (b - a) / s), s);
     EXPECT_NEAR(setting.OpticalDepth(a, b) / truth, 1, 1e-13);
   }
 }
@@ -208,14 +203,11 @@ TEST(ReferenceClosedForms, SlabReflectionAndTransmission)
       const double sin0 = std::sqrt(1 - mu0 * mu0), sine = std::sqrt(1 - mu * mu);
       const auto light = setting.AddDirectionalLight({ sin0, 0, -mu0 });
       const glm::dvec3 origin(50 - 2 * sine / mu, 50, 1 + 2);
-      const double reflected =
-        Isotropic * mu0 / (mu0 + mu) * -std::expm1(-tau * (1 / mu + 1 / mu0));
+      const double reflected = Isotropic * SlabReflection(tau, mu, mu0);
       EXPECT_NEAR(setting.Radiance(origin, { sine, 0, -mu }).x / reflected, 1, Tolerance);
 
       light->SetPosition(-sin0, 0, -mu0); // from below
-      const double difference = tau * (1 / mu - 1 / mu0);
-      const double transmitted =
-        Isotropic * tau / mu * std::exp(-tau / mu0) * MeanTransmittance(difference);
+      const double transmitted = Isotropic * SlabTransmission(tau, mu, mu0);
       EXPECT_NEAR(setting.Radiance(origin, { sine, 0, -mu }).x / transmitted, 1, Tolerance);
     }
   }
