@@ -202,6 +202,22 @@ void FindCorners(const glm::dvec3& lower, const glm::dvec3& upper, glm::dvec3 co
       glm::dvec3(i & 1 ? upper.x : lower.x, i & 2 ? upper.y : lower.y, i & 4 ? upper.z : lower.z);
   }
 }
+
+//------------------------------------------------------------------------------
+// Those of tiles that bricks fall on, with a margin for the rounding of depths.
+void WriteRanges(
+  const std::vector<glm::dvec2>& ranges, bool parallel, vtkMediumBricks::Tiles& tiles)
+{
+  for (std::size_t i = 0; i < ranges.size(); ++i)
+  {
+    if (ranges[i].x <= ranges[i].y)
+    {
+      const double margin = DepthMargin * (std::abs(ranges[i].x) + std::abs(ranges[i].y));
+      tiles.Ranges[i] = { parallel ? ranges[i].x - margin : std::max(ranges[i].x - margin, 0.0),
+        ranges[i].y + margin };
+    }
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -259,16 +275,7 @@ vtkMediumBricks::Tiles vtkMediumBricks::ProjectToTiles(
         std::max(ranges[i].y, share.Ranges[i].y) };
     }
   }
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    if (ranges[i].x <= ranges[i].y)
-    {
-      const double margin = DepthMargin * (std::abs(ranges[i].x) + std::abs(ranges[i].y));
-      tiles.Ranges[i] = { scene.Eye.Parallel ? ranges[i].x - margin
-                                             : std::max(ranges[i].x - margin, 0.0),
-        ranges[i].y + margin };
-    }
-  }
+  WriteRanges(ranges, scene.Eye.Parallel, tiles);
   if (lower.x < upper.x)
   {
     const glm::ivec2 first(glm::floor(lower)), last(glm::ceil(upper));

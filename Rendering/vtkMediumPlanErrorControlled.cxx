@@ -4,6 +4,7 @@
 #include "vtkMediumPlan.h"
 
 #include <algorithm>
+#include <cmath>
 
 //------------------------------------------------------------------------------
 void vtkMediumPlan::PlanErrorControlled(const vtkMediumScene& scene, const Settings& settings)
@@ -35,7 +36,7 @@ void vtkMediumPlan::PlanErrorControlled(const vtkMediumScene& scene, const Setti
     this->CacheRoughness = rough;
     this->CutCaches = CutsLightRays(scene);
     this->LightTolerance = settings.LightTolerance;
-    this->LightLookUpEvery = std::max(
-      1, static_cast<int>(LookUpSpacing * voxel / (LightTapsPerIteration * this->LightStep) + 0.5));
+    const double every = LookUpSpacing * voxel / (LightTapsPerIteration * this->LightStep);
+    this->LightLookUpEvery = std::max(1, static_cast<int>(std::lround(every)));
   }
 }
