@@ -121,8 +121,10 @@ void ApplyConstant(std::vector<float>& values, double value, Operations operatio
 }
 
 //------------------------------------------------------------------------------
-void ApplyRows(const vtkMediumField& field, int component, const Curve& curve, double scale,
-  Operations operation, std::vector<float>& values)
+// Calls body(row, target) for each row of a field, where target is the row's place in the values.
+template <typename Body>
+void ForEachRow(
+  const vtkMediumField& field, int component, std::vector<float>& values, const Body& body)
 {
   const vtkMediumLatticeRows rows(field, component);
   const glm::ivec3 n = field.Dimensions;
@@ -131,11 +133,19 @@ void ApplyRows(const vtkMediumField& field, int component, const Curve& curve, d
     for (vtkIdType r = begin; r < end; ++r)
     {
       rows.Read(static_cast<int>(r % n.y), static_cast<int>(r / n.y), row.data());
-      float* target = values.data() + r * n.x;
-      for (int i = 0; i < n.x; ++i)
-      {
-        target[i] = Combine(operation, target[i], scale * curve(row[i]));
-      }
+      body(row, values.data() + r * n.x);
+    }
+  });
+}
+
+//------------------------------------------------------------------------------
+void ApplyRows(const vtkMediumField& field, int component, const Curve& curve, double scale,
+  Operations operation, std::vector<float>& values)
+{
+  ForEachRow(field, component, values, [&](const std::vector<double>& row, float* target) {
+    for (std::size_t i = 0; i < row.size(); ++i)
+    {
+      target[i] = Combine(operation, target[i], scale * curve(row[i]));
     }
   });
 }
@@ -143,15 +153,9 @@ void ApplyRows(const vtkMediumField& field, int component, const Curve& curve, d
 //------------------------------------------------------------------------------
 void ReadRows(const vtkMediumField& field, int component, std::vector<float>& values)
 {
-  const vtkMediumLatticeRows rows(field, component);
-  const glm::ivec3 n = field.Dimensions;
-  vtkSMPTools::For(0, static_cast<vtkIdType>(n.y) * n.z, [&](vtkIdType begin, vtkIdType end) {
-    std::vector<double> row(n.x);
-    for (vtkIdType r = begin; r < end; ++r)
-    {
-      rows.Read(static_cast<int>(r % n.y), static_cast<int>(r / n.y), row.data());
-      std::copy(row.begin(), row.end(), values.begin() + r * n.x);
-    }
+  ForEachRow(field, component, values, [](const std::vector<double>& row, float* target) {
+    std::transform(
+      row.begin(), row.end(), target, [](double value) { return static_cast<float>(value); });
   });
 }
 

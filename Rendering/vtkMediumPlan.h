@@ -89,7 +89,9 @@ public:
   /// Textures for the caches of lights, and so the lights that have caches; the light rays of more are
   /// marched.
   static constexpr int MostCacheTextures = 4;
-  static constexpr int MostCachedLights = 16;
+  static constexpr int CacheChannels =
+    4; ///< of a texture; a light takes one, or two with roughness
+  static constexpr int MostCachedLights = MostCacheTextures * CacheChannels;
   /// Pixels along the edge of a tile.
   static constexpr int TileEdge = 8;
   /// Exact: the difference between a part of a cell and its halves that is accepted, of the radiance.
@@ -140,8 +142,8 @@ public:
   /// The same plan in steps of twice the length.
   vtkMediumPlan Coarser() const;
 
-  /// The lights that share a texture of caches: its channels, or half of them with roughness.
-  int GetLightsPerTexture() const { return this->CacheRoughness ? 2 : 4; }
+  /// The lights that share a texture of caches.
+  int GetLightsPerTexture() const { return CacheChannels / (this->CacheRoughness ? 2 : 1); }
   int GetCacheTextures() const
   {
     return (this->CachedLights + this->GetLightsPerTexture() - 1) / this->GetLightsPerTexture();

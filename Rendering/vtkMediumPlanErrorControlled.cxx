@@ -26,10 +26,10 @@ void vtkMediumPlan::PlanErrorControlled(const vtkMediumScene& scene, const Setti
   }
   const int lights = static_cast<int>(scene.Lights.size());
   const bool rough = settings.LightMethod == MarchThenLookUp;
-  const vtkTypeInt64 bytes = (rough ? 4 : 2) * voxels * lights;
+  const int channels = lights * (rough ? 2 : 1); // of two bytes a voxel
+  const vtkTypeInt64 bytes = 2 * voxels * channels;
   if (settings.LightMethod != March && this->Lit && linear && !scene.Content.ChromaticExtinction &&
-    lights <= (rough ? MostCachedLights / 2 : MostCachedLights) &&
-    bytes <= settings.LightCacheBytes)
+    channels <= MostCacheTextures * CacheChannels && bytes <= settings.LightCacheBytes)
   {
     this->CachedLights = lights;
     this->QuickCaches = settings.Hurried;

@@ -109,12 +109,15 @@ std::string vtkMediumRenderer::Prepare(const Request& request,
     ? vtkMediumStepControl::Never
     : request.AlwaysCache ? vtkMediumStepControl::Always
                           : vtkMediumStepControl::WhereAccurate;
+  auto build = [&]() {
+    const vtkMediumPlan plan(this->Scene, settings, device);
+    return this->Accelerator.Update(this->Window, this->Scene, plan);
+  };
   auto useFound = [&]() {
     settings.ControlledStep = this->StepControl.GetStep();
     settings.LightMethod = this->StepControl.GetLight().Method;
     settings.LightTolerance = this->StepControl.GetLight().Tolerance;
-    const vtkMediumPlan plan(this->Scene, settings, device);
-    return this->Accelerator.Update(this->Window, this->Scene, plan);
+    return build();
   };
   if (this->Economy.Hurried)
   {
@@ -122,14 +125,13 @@ std::string vtkMediumRenderer::Prepare(const Request& request,
     const double found = this->StepControl.GetStep();
     settings.ControlledStep = this->Economy.StepFactor * (found > 0 ? found : voxel);
     settings.Hurried = true;
-    const vtkMediumPlan plan(this->Scene, settings, device);
-    refusal = this->Accelerator.Update(this->Window, this->Scene, plan);
+    refusal = build();
     statistics->BuildMilliseconds = watch.Lap();
     statistics->CalibrateMilliseconds = 0;
     return refusal;
   }
   const bool calibrated = this->StepControl.IsCalibrated(this->Scene, request.MaximumError, caches);
-  refusal = calibrated ? useFound() : this->Accelerator.Update(this->Window, this->Scene, draft);
+  refusal = calibrated ? useFound() : build();
   statistics->BuildMilliseconds = watch.Lap();
   if (refusal.empty() && !calibrated)
   {

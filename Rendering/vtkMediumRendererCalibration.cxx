@@ -41,10 +41,8 @@ std::vector<float> vtkMediumRenderer::IntegrateProbes(const glm::ivec2& pixels,
 std::string vtkMediumRenderer::FindStep(const Request& request,
   const vtkMediumPlan::Capabilities& device, vtkMediumStepControl::CacheUses caches)
 {
-  int width = 0, height = 0, x = 0, y = 0;
-  request.Renderer->GetTiledSizeAndOrigin(&width, &height, &x, &y);
-  const glm::ivec2 pixels = glm::clamp(
-    glm::ivec2(width, height) / ProbeReduction, glm::ivec2(FewestProbes), glm::ivec2(MostProbes));
+  const glm::ivec2 pixels = glm::clamp(FindViewport(request.Renderer).Size / ProbeReduction,
+    glm::ivec2(FewestProbes), glm::ivec2(MostProbes));
   const vtkMediumScene::Box& box = this->Scene.Geometry;
   const double voxel = box.VoxelLength / box.Length;
   vtkMediumPlan::Settings settings = request.Settings;
