@@ -164,29 +164,29 @@ std::string vtkMediumStructure::PhaseDefines(const vtkMediumScene::Medium& conte
     case vtkMediumScene::Isotropic:
       break;
     case vtkMediumScene::Schlick:
-      call = "phaseSchlick(cosTheta, phaseSchlickFromG(g))";
+      call = "phaseSchlick(angle, phaseSchlickFromG(g))";
       break;
     case vtkMediumScene::SchlickK:
-      call = "phaseSchlick(cosTheta, g)";
+      call = "phaseSchlick(angle, g)";
       break;
     case vtkMediumScene::HenyeyGreenstein:
-      call = "phaseHenyeyGreenstein(cosTheta, g)";
+      call = "phaseHenyeyGreenstein(angle, g)";
       break;
     case vtkMediumScene::DoubleHenyeyGreenstein:
-      call = "phaseDoubleHenyeyGreenstein(cosTheta, g, phaseLobes.x, phaseLobes.y)";
+      call = "phaseDoubleHenyeyGreenstein(angle, g, phaseLobes.x, phaseLobes.y)";
       break;
     case vtkMediumScene::Rayleigh:
-      call = "phaseRayleigh(cosTheta)";
+      call = "phaseRayleigh(angle)";
       break;
     case vtkMediumScene::Draine:
-      call = "phaseDraine(cosTheta, g, phaseLobes.z)";
+      call = "phaseDraine(angle, g, phaseLobes.z)";
       break;
     case vtkMediumScene::Droplets:
-      call = "phaseDroplets(cosTheta, g, phaseLobes.z, phaseLobes.x, phaseLobes.y)";
+      call = "phaseDroplets(angle, g, phaseLobes.z, phaseLobes.x, phaseLobes.y)";
       break;
     case vtkMediumScene::Tabulated:
-      call = "phaseTabulated(cosTheta)";
+      call = "phaseTabulated(angle)";
       break;
   }
-  return std::string("#define PHASE(cosTheta, g) ") + call + "\n";
+  return std::string("#define PHASE(angle, g) ") + call + "\n";
 }

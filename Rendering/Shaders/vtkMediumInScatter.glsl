@@ -13,8 +13,7 @@ vec3 inScatter(vec3 point, vec3 direction, Content content)
     Light light = lightAt(number, point);
     if (light.irradiance != vec3(0.0))
     {
-      // cosTheta: the light travels along -light.direction, the eye is along -direction.
-      float phase = PHASE(dot(light.direction, direction), content.anisotropy);
+      float phase = PHASE(phaseAngle(light.direction, direction), content.anisotropy);
       vec3 unshadowed = light.irradiance * phase;
 #ifdef LIGHT_CACHE_ROUGHNESS
       vec3 worth = content.scattering * unshadowed;

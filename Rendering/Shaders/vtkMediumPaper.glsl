@@ -63,7 +63,7 @@ vec3 paperInScatter(vec3 point, vec3 direction)
   for (int number = firstLight; number < lastLight; ++number)
   {
     Light light = lightAt(number, point);
-    float phase = PHASE(dot(light.direction, direction), paperAnisotropy);
+    float phase = PHASE(phaseAngle(light.direction, direction), paperAnisotropy);
     sum += light.irradiance * phase * transmittance(paperExtinction * paperLightPath(point, light));
   }
   return paperScattering * sum;

@@ -6,8 +6,8 @@
 uniform vec4 phaseLobes; // g of the second lobe, weight of the first, Draine's alpha, unused
 uniform sampler2D phaseTable;
 
-float phaseTabulated(float cosTheta)
+float phaseTabulated(vec2 angle)
 {
   float size = float(textureSize(phaseTable, 0).x);
-  return texture(phaseTable, vec2((phaseTableCoordinate(cosTheta, size) + 0.5) / size, 0.5)).r;
+  return texture(phaseTable, vec2((phaseTableCoordinate(angle, size) + 0.5) / size, 0.5)).r;
 }

@@ -22,21 +22,21 @@ vec4 evaluate(vec4 a, vec4 b)
     case 0:
       return vec4(phaseIsotropic());
     case 1:
-      return vec4(phaseHenyeyGreenstein(a.x, a.y));
+      return vec4(phaseHenyeyGreenstein(a.xy, a.z));
     case 2:
-      return vec4(phaseSchlick(a.x, a.y));
+      return vec4(phaseSchlick(a.xy, a.z));
     case 3:
       return vec4(phaseSchlickFromG(a.x));
     case 4:
-      return vec4(phaseDoubleHenyeyGreenstein(a.x, a.y, a.z, a.w));
+      return vec4(phaseDoubleHenyeyGreenstein(a.xy, a.z, a.w, b.x));
     case 5:
-      return vec4(phaseRayleigh(a.x));
+      return vec4(phaseRayleigh(a.xy));
     case 6:
-      return vec4(phaseDraine(a.x, a.y, a.z));
+      return vec4(phaseDraine(a.xy, a.z, a.w));
     case 7:
-      return vec4(phaseDroplets(a.x, a.y, a.z, a.w, b.x));
+      return vec4(phaseDroplets(a.xy, a.z, a.w, b.x, b.y));
     case 8:
-      return vec4(phaseTableCoordinate(a.x, a.y));
+      return vec4(phaseTableCoordinate(a.xy, a.z));
     case 9:
       return vec4(segmentMeanTransmittance(a.x), segmentMeanTransmittance(a.xyz));
     case 10:
@@ -51,6 +51,8 @@ vec4 evaluate(vec4 a, vec4 b)
       return vec4(lightDirection(a.xyz, b.xyz), 0.0);
     case 15:
       return vec4(jitterOffset(wholeNumber(a.xy), wholeNumber(a.zw), wholeNumber(b.xy)));
+    case 16:
+      return vec4(phaseAngle(a.xyz, b.xyz), 0.0, 0.0);
   }
   return vec4(-1.0);
 }

@@ -52,6 +52,7 @@ public:
     LightSpot,
     LightDirection,
     JitterOffset,
+    PhaseAngle,
   };
 
   GpuFormulas()

@@ -19,29 +19,45 @@
     using real = vtkMediumFormulas::Name::real;                                                    \
     using vec2 = vtkMediumFormulas::Name::vec2;                                                    \
     using vec3 = vtkMediumFormulas::Name::vec3;                                                    \
+    static vec2 Angle(long double c) { return { real(1 - c), real(1 + c) }; }                      \
+    static vec2 Angle(vec3 a, vec3 b) { return vtkMediumFormulas::Name::phaseAngle(a, b); }        \
+    static real HenyeyGreenstein(vec2 angle, real g)                                               \
+    {                                                                                              \
+      return vtkMediumFormulas::Name::phaseHenyeyGreenstein(angle, g);                             \
+    }                                                                                              \
+    static real Schlick(vec2 angle, real k)                                                        \
+    {                                                                                              \
+      return vtkMediumFormulas::Name::phaseSchlick(angle, k);                                      \
+    }                                                                                              \
     static real Isotropic() { return vtkMediumFormulas::Name::phaseIsotropic(); }                  \
-    static real HenyeyGreenstein(real c, real g)                                                   \
+    static real HenyeyGreenstein(long double c, real g)                                            \
     {                                                                                              \
-      return vtkMediumFormulas::Name::phaseHenyeyGreenstein(c, g);                                 \
+      return vtkMediumFormulas::Name::phaseHenyeyGreenstein(Angle(c), g);                          \
     }                                                                                              \
-    static real DoubleHenyeyGreenstein(real c, real g, real second, real weight)                   \
+    static real DoubleHenyeyGreenstein(long double c, real g, real second, real weight)            \
     {                                                                                              \
-      return vtkMediumFormulas::Name::phaseDoubleHenyeyGreenstein(c, g, second, weight);           \
+      return vtkMediumFormulas::Name::phaseDoubleHenyeyGreenstein(Angle(c), g, second, weight);    \
     }                                                                                              \
-    static real Schlick(real c, real k) { return vtkMediumFormulas::Name::phaseSchlick(c, k); }    \
+    static real Schlick(long double c, real k)                                                     \
+    {                                                                                              \
+      return vtkMediumFormulas::Name::phaseSchlick(Angle(c), k);                                   \
+    }                                                                                              \
     static real SchlickFromG(real g) { return vtkMediumFormulas::Name::phaseSchlickFromG(g); }     \
-    static real Rayleigh(real c) { return vtkMediumFormulas::Name::phaseRayleigh(c); }             \
-    static real Draine(real c, real g, real alpha)                                                 \
+    static real Rayleigh(long double c)                                                            \
     {                                                                                              \
-      return vtkMediumFormulas::Name::phaseDraine(c, g, alpha);                                    \
+      return vtkMediumFormulas::Name::phaseRayleigh(Angle(c));                                     \
     }                                                                                              \
-    static real Droplets(real c, real g, real alpha, real second, real weight)                     \
+    static real Draine(long double c, real g, real alpha)                                          \
     {                                                                                              \
-      return vtkMediumFormulas::Name::phaseDroplets(c, g, alpha, second, weight);                  \
+      return vtkMediumFormulas::Name::phaseDraine(Angle(c), g, alpha);                             \
     }                                                                                              \
-    static real TableCoordinate(real c, real size)                                                 \
+    static real Droplets(long double c, real g, real alpha, real second, real weight)              \
     {                                                                                              \
-      return vtkMediumFormulas::Name::phaseTableCoordinate(c, size);                               \
+      return vtkMediumFormulas::Name::phaseDroplets(Angle(c), g, alpha, second, weight);           \
+    }                                                                                              \
+    static real TableCoordinate(long double c, real size)                                          \
+    {                                                                                              \
+      return vtkMediumFormulas::Name::phaseTableCoordinate(Angle(c), size);                        \
     }                                                                                              \
     static real MeanTransmittance(real x)                                                          \
     {                                                                                              \

@@ -63,9 +63,8 @@ template <typename F>
 class FormulasPhase : public ::testing::Test
 {
 protected:
-  // Float evaluates its peaks at cosines rounded by 3e-8 of a lobe 5e-7 wide: a percent or so each,
-  // but of either sign, so the integral keeps 1e-3. Double keeps the rule's own accuracy.
-  static constexpr double SphereTolerance = sizeof(typename F::real) == 4 ? 1e-3 : 1e-8;
+  // In float, 1 - 0.999 is rounded by 6e-5 of itself. Double keeps the rule's own accuracy.
+  static constexpr double SphereTolerance = sizeof(typename F::real) == 4 ? 2e-4 : 1e-8;
 };
 TYPED_TEST_SUITE(FormulasPhase, FormulaTypes);
 
@@ -103,9 +102,9 @@ TYPED_TEST(FormulasPhase, EachIsFiniteAndNonNegativeForEveryAnisotropy)
   using F = TypeParam;
   for (double g : Anisotropies)
   {
-    for (int i = -1001; i <= 1001; ++i) // a dot product of unit vectors may pass 1 by rounding
+    for (int i = -1001; i <= 1001; ++i)
     {
-      const double c = i / 1001.0 * (1 + 2 * Epsilon<F>());
+      const double c = i / 1001.0;
       for (double p :
         { double(F::HenyeyGreenstein(c, g)), double(F::Schlick(c, g)),
           double(F::Schlick(c, F::SchlickFromG(g))), double(F::Draine(c, g, 250)),
@@ -217,5 +216,47 @@ TYPED_TEST(FormulasPhase, TableCoordinateRunsFromBackToForward)
   EXPECT_EQ(F::TableCoordinate(0, 181), 90);
   EXPECT_EQ(F::TableCoordinate(1, 181), 180);
   EXPECT_EQ(F::TableCoordinate(1 + 2 * Epsilon<F>(), 181), 180);
-  EXPECT_EQ(F::TableCoordinate(-2, 181), 0);
+}
+
+// Both distances of the angle, to all of their digits, from unit vectors in the number type. The cosine,
+// which is all that a dot product gives, has lost them: as many as the peak is narrow.
+TYPED_TEST(FormulasPhase, AngleKeepsTheDigitsThatAPeakNeeds)
+{
+  using F = TypeParam;
+  using real = typename F::real;
+  using vec3 = typename F::vec3;
+  const vec3 eye = glm::normalize(vec3(real(0.3), real(-0.5), real(0.8)));
+  const vec3 side = glm::normalize(glm::cross(eye, vec3(0, 1, 0)));
+  for (double g : { -0.999, -0.99, 0.99, 0.999 })
+  {
+    SCOPED_TRACE(g);
+    double angleError = 0, cosineError = 0;
+    for (double theta : { 0.0, 1e-4, 5e-4, 1e-3, 3e-3, 1e-2, 0.1 }) // about the peak
+    {
+      const vec3 ahead = real(std::cos(theta)) * eye + real(std::sin(theta)) * side;
+      const vec3 light = glm::normalize(g > 0 ? ahead : -ahead);
+      // The angle that these two rounded vectors have.
+      glm::tvec3<long double> a(light), b(eye);
+      a /= std::sqrt(glm::dot(a, a));
+      b /= std::sqrt(glm::dot(b, b));
+      const long double apart = glm::dot(a - b, a - b) / 2, together = glm::dot(a + b, a + b) / 2;
+      const long double held = std::abs(static_cast<real>(g));
+      const long double away = g > 0 ? apart : together;
+      const long double d = (1 - held) * (1 - held) + 2 * held * away;
+      const long double truth = (1 - held * held) / (4 * Pi * d * std::sqrt(d));
+      const double byAngle =
+        F::HenyeyGreenstein(F::Angle(light, eye), static_cast<real>(g)) / truth;
+      const real cosine = glm::dot(light, eye);
+      const double byCosine =
+        F::HenyeyGreenstein(static_cast<long double>(cosine), static_cast<real>(g)) / truth;
+      angleError = std::max(angleError, std::abs(byAngle - 1));
+      cosineError = std::max(cosineError, std::abs(byCosine - 1));
+    }
+    this->RecordProperty("ByAngle" + std::to_string(g), std::to_string(angleError));
+    this->RecordProperty("ByCosine" + std::to_string(g), std::to_string(cosineError));
+    // Components are rounded by an epsilon, which moves the angle by a few: theta epsilon against
+    // (1 - |g|)^2 + theta^2.
+    EXPECT_LT(angleError, 8 * Epsilon<F>() / (1 - std::abs(g)));
+    EXPECT_GT(cosineError, 10 * angleError); // what the cosine would lose
+  }
 }
