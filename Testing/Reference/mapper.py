@@ -52,11 +52,12 @@ class Stage:
 
     def __init__(self, scene: scenes.Scene, grid=None):
         self.scene = scene
+        self.channel = 1  # of all images
         self.medium = vtkParticipatingMedium()
         self.medium.SetAlbedo(scene.albedo)
         self.medium.SetAnisotropy(scene.g)
         self.medium.SetExtinctionArrayName("")
-        self.medium.SetExtinctionScale(scene.extinction)
+        self.medium.SetExtinctionScale(*(scene.extinction * np.array(scene.tint)))
         self.mapper = vtkSingleScatteringVolumeMapper()
         self.mapper.SetInputData(image_of(scenes.grid_of(scene) if grid is None else grid, scene.size))
         self.mapper.SetMedium(self.medium)
@@ -133,7 +134,7 @@ class Stage:
             raise RuntimeError("the mapper refused to draw; its error is above")
         image = vtkImageData()
         self.mapper.GetColorImage(image)
-        return pixels_of(image)
+        return pixels_of(image, self.channel)
 
     def truth(self, tolerance: float = 1e-7) -> vtkSingleScatteringReference:
         """The reference, set up for this stage."""
@@ -145,8 +146,8 @@ class Stage:
         reference.SetTolerance(tolerance)
         return reference
 
-    def reference(self, tolerance: float = 1e-7, channel: int = 1) -> np.ndarray:
+    def reference(self, tolerance: float = 1e-7, channel=None) -> np.ndarray:
         image = vtkImageData()
         if not self.truth(tolerance).GetColorImage(image):
             raise RuntimeError("the reference gave no image")
-        return pixels_of(image, channel)
+        return pixels_of(image, self.channel if channel is None else channel)

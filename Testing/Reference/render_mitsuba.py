@@ -2,6 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Renders the scenes by Mitsuba 3: its volpath integrator, ended after the first scattering.
 
+A medium whose extinction has a colour is rendered by volpathmis instead, which weighs the channels'
+ways of sampling against each other: volpath samples by one of them and leaves the others to noise.
+
 Rays go through pixel centres, as the mapper's do: the sensor of Mitsuba makes them, its integrator
 follows them. The standard error of a pixel comes from independent batches.
 """
@@ -20,12 +23,19 @@ BATCHES = 64
 SEEDS = 100000
 
 
+def integrator_of(scene: scenes.Scene) -> str:
+    return "volpath" if len(scene.channels()) == 1 else "volpathmis"
+
+
 def describe(scene: scenes.Scene) -> dict:
     """The scene in Mitsuba's words. A directional emitter's irradiance is normal to its beam."""
     size, spacing = np.array(scene.size), scenes.spacing_of(scene)
     to_world = mi.ScalarTransform4f
     # Mitsuba has grid values at the centres of voxels: half a voxel more on each side puts the
     # outermost values on the faces of the box.
+    grid = scenes.grid_of(scene)[..., None]
+    if len(scene.channels()) > 1:
+        grid = grid * np.array(scene.tint, np.float32)
     lattice = to_world().translate(list(-0.5 * (size + spacing))).scale(list(size + spacing))
     light = list(map(float, scene.light))
     if scene.point_light:
@@ -36,7 +46,7 @@ def describe(scene: scenes.Scene) -> dict:
                    "irradiance": {"type": "uniform", "value": 1.0}}
     return {
         "type": "scene",
-        "integrator": {"type": "volpath", "max_depth": 2, "rr_depth": 100},
+        "integrator": {"type": integrator_of(scene), "max_depth": 2, "rr_depth": 100},
         "sensor": {
             "type": "perspective", "fov": scene.view_angle,
             "to_world": to_world().look_at(origin=list(scene.eye), target=[0, 0, 0], up=[0, 1, 0]),
@@ -48,8 +58,7 @@ def describe(scene: scenes.Scene) -> dict:
             "interior": {
                 "type": "heterogeneous", "albedo": scene.albedo, "scale": scene.extinction,
                 "sigma_t": {"type": "gridvolume", "filter_type": "trilinear", "wrap_mode": "clamp",
-                            "grid": mi.VolumeGrid(scenes.grid_of(scene)[..., None]),
-                            "to_world": lattice},
+                            "grid": mi.VolumeGrid(grid), "raw": True, "to_world": lattice},
                 "phase": {"type": "hg", "g": scene.g}}}}
 
 
@@ -61,7 +70,7 @@ def pixel_centres(pixels: int, samples: int) -> "mi.Point2f":
 
 
 def render(scene: scenes.Scene, samples: int, seed: int) -> tuple:
-    """Mean and standard error per pixel, bottom row first."""
+    """Mean and standard error of each channel per pixel, [channel, y, x], bottom row first."""
     loaded = mi.load_dict(describe(scene))
     integrator, sensor = loaded.integrator(), loaded.sensors()[0]
     each = max(samples // BATCHES, 1)
@@ -72,8 +81,8 @@ def render(scene: scenes.Scene, samples: int, seed: int) -> tuple:
         sampler.seed(seed + batch, scene.pixels ** 2 * each)
         ray, weight = sensor.sample_ray_differential(0, 0.5, positions, mi.Point2f(0.5))
         radiance = integrator.sample(loaded, sampler, ray, None, True)[0] * weight
-        grey = np.array(radiance)[1]
-        means.append(grey.reshape(scene.pixels, scene.pixels, each).mean(axis=2))
+        means.append(
+            np.array(radiance).reshape(3, scene.pixels, scene.pixels, each).mean(axis=3))
     means = np.array(means)
     return means.mean(axis=0), means.std(axis=0, ddof=1) / np.sqrt(BATCHES)
 
@@ -92,13 +101,18 @@ def main() -> None:
             continue
         image, error = render(scene, arguments.samples, SEEDS * (index + 1))
         head = {
-            "renderer": f"Mitsuba {mi.__version__}, {arguments.variant}, volpath, max_depth=2",
+            "renderer": f"Mitsuba {mi.__version__}, {arguments.variant}, {integrator_of(scene)}, "
+                        "max_depth=2",
             "command": f"Testing/Reference/run mitsuba -- --samples {arguments.samples} {scene.name}",
             "scene": scene, "samples per pixel": arguments.samples,
             "standard error": f"from {BATCHES} independent batches",
             "date": datetime.date.today().isoformat()}
-        scenes.write_result(scenes.RESULTS / f"mitsuba-{scene.name}.csv", head, image, error)
-        print(f"{scene.name}: mean {image.mean():.6g} +- {np.sqrt((error**2).sum()) / image.size:.2g}")
+        for channel, ending in scene.channels().items():
+            values, sigma = image[channel], error[channel]
+            scenes.write_result(
+                scenes.RESULTS / f"mitsuba-{scene.name}{ending}.csv", head, values, sigma)
+            print(f"{scene.name}{ending}: mean {values.mean():.6g} "
+                  f"+- {np.sqrt((sigma**2).sum()) / values.size:.2g}")
 
 
 if __name__ == "__main__":

@@ -23,7 +23,7 @@ class Scene:
 
     name: str
     grid: str  #: smooth, cloud, binary or uniform
-    extinction: float  #: where the grid is 1, per world unit
+    extinction: float  #: where the grid is 1, per world unit; times the tint
     g: float  #: mean cosine of Henyey and Greenstein's phase function
     light: tuple  #: direction towards a directional light, or the position of a point light
     point_light: bool = False  #: intensity 1 and the inverse square; else irradiance 1
@@ -34,6 +34,12 @@ class Scene:
     points: int = 32  #: of the grid, along each axis
     pixels: int = 32
     zero_on_faces: bool = False  #: fade the grid to 0 towards the faces of the box
+    tint: tuple = (1.0, 1.0, 1.0)  #: of the extinction, red, green and blue
+
+    def channels(self) -> dict:
+        """The channels that are compared, and what their results' names end in."""
+        grey = len(set(self.tint)) == 1
+        return {1: ""} if grey else {0: "-red", 1: "-green", 2: "-blue"}
 
 
 MITSUBA = (
@@ -43,6 +49,7 @@ MITSUBA = (
     Scene("binary", "binary", 8, -0.4, (1, 0.4, 0.5)),
     Scene("cloud-flat-box", "cloud", 20, 0.6, (-0.2, 0.9, -0.6), size=(1, 0.7, 0.4)),
     Scene("cloud-point-light", "cloud", 20, 0.6, (-0.5, 0.9, 0.4), point_light=True),
+    Scene("cloud-chromatic", "cloud", 20, 0.3, (-0.4, 0.8, 0.5), albedo=0.9, tint=(0.3, 0.6, 1)),
 )
 
 #: vdb_render has directional lights and isotropic scattering only, cubic voxels, and a field that

@@ -85,10 +85,22 @@ def make_wrong(stage: Stage, mistake: str) -> None:
 class Mitsuba(unittest.TestCase):
     def test_agrees_within_its_standard_error(self):
         for scene in scenes.MITSUBA:
-            _, samples, error = scenes.read_result(scenes.RESULTS / f"mitsuba-{scene.name}.csv")
-            for name, image in images_of(Stage(scene)).items():
-                with self.subTest(scene=scene.name, by=name):
-                    self.assertEqual(faults_against_samples(image, samples, error), [])
+            stage = Stage(scene)
+            for stage.channel, ending in scene.channels().items():
+                _, samples, error = scenes.read_result(
+                    scenes.RESULTS / f"mitsuba-{scene.name}{ending}.csv")
+                for name, image in images_of(stage).items():
+                    with self.subTest(scene=scene.name + ending, by=name):
+                        self.assertEqual(faults_against_samples(image, samples, error), [])
+
+    def test_refuses_the_colour_of_another_channel(self):
+        scene = next(s for s in scenes.MITSUBA if s.name == "cloud-chromatic")
+        stage = Stage(scene)
+        image = stage.fixed_step(STEP)  # green
+        for ending in ("-red", "-blue"):
+            _, samples, error = scenes.read_result(
+                scenes.RESULTS / f"mitsuba-{scene.name}{ending}.csv")
+            self.assertNotEqual(faults_against_samples(image, samples, error), [])
 
     def test_refuses_wrong_pictures(self):
         scene = next(s for s in scenes.MITSUBA if s.name == "cloud-flat-box")
