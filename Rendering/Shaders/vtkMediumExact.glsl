@@ -31,7 +31,7 @@ vec4 exactGather(EyeRay ray, vec3 start, vec3 along, float a, float b)
     sum.a += SPECTRUM_MEAN(content.extinction);
     if (content.scattering + content.emission != vec3(0.0))
     {
-      vec3 source = sourceAt(ray.origin + t * ray.direction, ray.direction, content);
+      vec3 source = sourceAt(ray.origin + t * ray.direction, ray.direction, 0.0, content);
       sum.rgb += source * transmittance(exactCellDepth(start, along, a, t));
     }
   }

@@ -18,7 +18,7 @@ SPECTRUM fixedStepSegment(EyeRay ray, vec2 segment, SPECTRUM before, inout Frame
 #ifdef LIGHT_CACHE_ROUGHNESS
   lightSourceWeight = weight;
 #endif
-  vec3 gathered = weight * width * sourceAt(point, ray.direction, content);
+  vec3 gathered = weight * width * sourceAt(point, ray.direction, width, content);
   outputSegment(ray.offset + segment.x, width, before, depth, gathered, state);
   return depth;
 }

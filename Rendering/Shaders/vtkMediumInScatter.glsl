@@ -1,25 +1,35 @@
 // SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Light scattered towards the eye at a point: what the lights of this draw send there, weakened by the
-// medium on its way, turned by the phase function. Per local unit.
+// Light scattered towards the eye by a segment of its ray, or at a point (width 0): what the lights of this
+// draw send there, weakened by the medium on its way, turned by the phase function. Per local unit.
 
 #ifdef LIT
-vec3 inScatter(vec3 point, vec3 direction, Content content)
+// Light from a near lamp comes from `ahead` of the segment's middle and has so much more of the segment to
+// pass on its way to the eye. Where more than an optical depth of 1 lies between, the step resolves nothing.
+SPECTRUM inScatterPassing(float ahead, Content content)
+{
+  return transmittance(max(content.extinction * ahead, -1.0));
+}
+
+vec3 inScatter(vec3 middle, vec3 direction, float width, Content content)
 {
   vec3 sum = vec3(0.0);
   for (int number = firstLight; number < lastLight; ++number)
   {
-    Light light = lightAt(number, point);
+    Light light = lightAt(number, middle, direction, width);
     if (light.irradiance != vec3(0.0))
     {
       float phase = PHASE(phaseAngle(light.direction, direction), content.anisotropy);
       vec3 unshadowed = light.irradiance * phase;
+#ifdef POSITIONAL_LIGHTS
+      unshadowed *= inScatterPassing(dot(light.point - middle, direction), content);
+#endif
 #ifdef LIGHT_CACHE_ROUGHNESS
       vec3 worth = content.scattering * unshadowed;
       lightImportance = lightSourceWeight * max(max(worth.r, worth.g), worth.b);
 #endif
-      sum += unshadowed * lightTransmittance(number, point, light);
+      sum += unshadowed * lightTransmittance(number, light.point, light);
     }
   }
   return content.scattering * sum;
@@ -27,13 +37,13 @@ vec3 inScatter(vec3 point, vec3 direction, Content content)
 #endif
 
 // Emission belongs to the draws of the first lights, so that it is counted once.
-vec3 sourceAt(vec3 point, vec3 direction, Content content)
+vec3 sourceAt(vec3 middle, vec3 direction, float width, Content content)
 {
   vec3 source = firstLight == 0 ? content.emission : vec3(0.0);
 #ifdef LIT
   if (content.scattering != vec3(0.0))
   {
-    source += inScatter(point, direction, content);
+    source += inScatter(middle, direction, width, content);
   }
 #endif
   return source;

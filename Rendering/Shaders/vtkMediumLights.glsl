@@ -7,6 +7,7 @@ uniform sampler2D lights;
 
 struct Light
 {
+  vec3 point;      // from which the light is seen; local
   vec3 direction;  // unit, from the point towards the light; local
   float distance;  // to the light, local units; huge if directional
   vec3 irradiance; // on a plane normal to the beam, without the medium
@@ -14,22 +15,44 @@ struct Light
 
 #define LIGHT_DIRECTIONAL 0.0
 #define LIGHT_SPOT 2.0
+// Nearer than so many lengths of a segment, a light's attenuation is averaged over it. Beyond, the value in
+// its middle is within 1e-3 of the mean: (1/2 / 16)^2.
+#define LIGHT_NEAR 16.0
 
-// Light `number` as seen from a point. Texels: (position or direction towards the light, type),
-// (colour x intensity, cosine of the cone), (attenuation a b c, exponent), (spot axis, unused).
-Light lightAt(int number, vec3 point)
+#ifdef POSITIONAL_LIGHTS
+// Sets what a positional light sends to a segment along `direction`, of the width, in whose middle
+// light.point is; to that point if the width is 0. Near an inverse square, the light is seen from the mean
+// place of what the segment scatters.
+void lightReach(vec3 position, vec3 abc, vec3 direction, float width, inout Light light)
+{
+  vec3 offset = position - light.point;
+  float reach = LIGHT_NEAR * width;
+  bool near = abc.y == 0.0 && abc.z > 0.0 && dot(offset, offset) < reach * reach;
+  if (near)
+  {
+    vec2 segment = lightSegment(offset, direction, width, abc.x / abc.z);
+    light.irradiance *= segment.x / abc.z;
+    light.point += segment.y * direction;
+    offset -= segment.y * direction;
+  }
+  light.distance = length(offset);
+  light.direction = light.distance > 0.0 ? offset / light.distance : vec3(0.0, 0.0, 1.0);
+  light.irradiance *= near ? 1.0 : lightAttenuation(light.distance, abc);
+}
+#endif
+
+// Light `number` as seen from a segment of the eye ray. Texels: (position or direction towards the light,
+// type), (colour x intensity, cosine of the cone), (attenuation a b c, exponent), (spot axis, unused).
+Light lightAt(int number, vec3 middle, vec3 direction, float width)
 {
   vec4 place = texelFetch(lights, ivec2(0, number), 0);
   vec4 colour = texelFetch(lights, ivec2(1, number), 0);
-  Light light = Light(place.xyz, 1.0e30, colour.rgb);
+  Light light = Light(middle, place.xyz, 1.0e30, colour.rgb);
 #ifdef POSITIONAL_LIGHTS
   if (place.w != LIGHT_DIRECTIONAL)
   {
     vec4 attenuation = texelFetch(lights, ivec2(2, number), 0);
-    vec3 offset = place.xyz - point;
-    light.distance = length(offset);
-    light.direction = light.distance > 0.0 ? offset / light.distance : vec3(0.0, 0.0, 1.0);
-    light.irradiance *= lightAttenuation(light.distance, attenuation.xyz);
+    lightReach(place.xyz, attenuation.xyz, direction, width, light);
 #ifdef SPOT_LIGHTS
     if (place.w == LIGHT_SPOT)
     {

@@ -62,7 +62,7 @@ vec3 paperInScatter(vec3 point, vec3 direction)
   vec3 sum = vec3(0.0);
   for (int number = firstLight; number < lastLight; ++number)
   {
-    Light light = lightAt(number, point);
+    Light light = lightAt(number, point, direction, 0.0);
     float phase = PHASE(phaseAngle(light.direction, direction), paperAnisotropy);
     sum += light.irradiance * phase * transmittance(paperExtinction * paperLightPath(point, light));
   }

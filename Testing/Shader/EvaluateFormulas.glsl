@@ -53,6 +53,8 @@ vec4 evaluate(vec4 a, vec4 b)
       return vec4(jitterOffset(wholeNumber(a.xy), wholeNumber(a.zw), wholeNumber(b.xy)));
     case 16:
       return vec4(phaseAngle(a.xyz, b.xyz), 0.0, 0.0);
+    case 17:
+      return vec4(lightSegment(a.xyz, b.xyz, a.w, b.w), 0.0, 0.0);
   }
   return vec4(-1.0);
 }

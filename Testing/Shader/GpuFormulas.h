@@ -53,6 +53,7 @@ public:
     LightDirection,
     JitterOffset,
     PhaseAngle,
+    LightSegment,
   };
 
   GpuFormulas()

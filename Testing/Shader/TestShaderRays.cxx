@@ -132,3 +132,22 @@ TEST_F(ShaderFormulas, JitterIsTheSameNumberOnEveryDevice)
     ASSERT_LT(values[i].x, 1);
   }
 }
+
+TEST_F(ShaderFormulas, LightSegmentEqualsCxx)
+{
+  std::vector<Arguments> table;
+  for (float across : { 1e-3f, 0.03f, 0.4f })
+  {
+    for (float along : { -0.35f, -0.05f, 0.02f, 0.3f })
+    {
+      // The offset and the width; the direction and the softening.
+      table.push_back({ across, 0, along, 0.05f, 0, 0, 1, 0.001f });
+    }
+  }
+  // Mesa's arc tangent is a polynomial, good to 3e-5 of a small angle.
+  ExpectFormula(GpuFormulas::LightSegment, table, 1, 1e-4, [](const Arguments& a) {
+    const glm::dvec2 segment =
+      Double::lightSegment(glm::dvec3(a[0], a[1], a[2]), glm::dvec3(a[4], a[5], a[6]), a[3], a[7]);
+    return glm::dvec4(segment, 0, 0);
+  });
+}

@@ -77,6 +77,10 @@
     {                                                                                              \
       return vtkMediumFormulas::Name::lightAttenuation(r, abc);                                    \
     }                                                                                              \
+    static vec2 LightSegment(vec3 offset, vec3 direction, real width, real softening)              \
+    {                                                                                              \
+      return vtkMediumFormulas::Name::lightSegment(offset, direction, width, softening);           \
+    }                                                                                              \
     static real Spot(real cosine, real cone, real exponent)                                        \
     {                                                                                              \
       return vtkMediumFormulas::Name::lightSpot(cosine, cone, exponent);                           \

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Laws of positional lights.
 #include "FormulaTypes.h"
+#include "vtkMediumClosedForms.h"
 
 #include <cmath>
 
@@ -77,5 +78,51 @@ TYPED_TEST(FormulasLight, DirectionHasUnitLengthOrIsTheFallback)
     EXPECT_NEAR(found.x, 2.0 / 7, 4 * Epsilon<TypeParam>());
     EXPECT_NEAR(found.y, -3.0 / 7, 4 * Epsilon<TypeParam>());
     EXPECT_NEAR(found.z, 6.0 / 7, 4 * Epsilon<TypeParam>());
+  }
+}
+
+// The mean of 1 / (r^2 + softening) over a segment, and its mean place, against Simpson's rule in the angle.
+TYPED_TEST(FormulasLight, SegmentIsTheMeanOfTheInverseSquareAndItsPlace)
+{
+  using F = TypeParam;
+  using real = typename F::real;
+  using vec3 = typename F::vec3;
+  for (double across : { 1e-3, 0.02, 1.0 })
+  {
+    for (double along : { -0.3, -0.05, 0.0, 1e-3, 0.2 })
+    {
+      for (double softening : { 0.0, 0.01 })
+      {
+        const double width = 0.1, apart = std::sqrt(across * across + softening);
+        const double begin = std::atan((-0.05 - along) / apart);
+        const double end = std::atan((0.05 - along) / apart);
+        const double mean = (end - begin) / apart / width;
+        const double place = vtkMediumTest::Simpson(begin, end, 4000,
+                               [&](double angle) { return along + apart * std::tan(angle); }) /
+          (end - begin);
+        const typename F::vec2 found = F::LightSegment(
+          vec3(real(across), 0, real(along)), vec3(0, 0, 1), real(width), real(softening));
+        // The angle is small where the light is far along the ray or beside it; the logarithm of a quotient
+        // near 1 loses (r / width)^2 of the digits.
+        EXPECT_NEAR(found.x / mean, 1, 64 * Epsilon<F>() + 1e-12) << across << " " << along;
+        EXPECT_NEAR(found.y, place, 2e4 * Epsilon<F>() * width * (across * across + 0.01) + 1e-9)
+          << across << " " << along << " " << softening;
+      }
+    }
+  }
+}
+
+TYPED_TEST(FormulasLight, SegmentStaysFiniteWhereTheRayMeetsTheLight)
+{
+  using F = TypeParam;
+  using real = typename F::real;
+  using vec3 = typename F::vec3;
+  for (double along : { -0.05, 0.0, 0.02, 0.05, 0.3 })
+  {
+    const typename F::vec2 found =
+      F::LightSegment(vec3(0, 0, real(along)), vec3(0, 0, 1), real(0.1), 0);
+    EXPECT_TRUE(std::isfinite(found.x) && found.x > 0);
+    EXPECT_LE(found.x, vtkMediumTest::Pi / (0.1 * 1e-4) * (1 + 1e-6)); // at the minimum radius
+    EXPECT_LE(std::abs(found.y), 0.05 * (1 + 1e-6));
   }
 }

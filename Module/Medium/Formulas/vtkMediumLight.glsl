@@ -16,6 +16,26 @@ real lightAttenuation(real r, vec3 abc)
   return real(1.0) / max(abc.x + s * (abc.y + s * abc.z), real(1.0e-30));
 }
 
+// A segment of the eye ray as a positional light sees it: the mean of 1 / (r^2 + softening) over it, and
+// where its mean place is, weighted by that, from its middle along the ray. `offset` is from the middle to
+// the light. With D the light's distance from the ray, the integral is the angle under which the light sees
+// the segment over D (the equi-angular substitution of Kulla and Fajardo 2012,
+// doi:10.1111/j.1467-8659.2012.03148.x), the first moment a logarithm. D is held at the minimum radius.
+vec2 lightSegment(vec3 offset, vec3 direction, real width, real softening)
+{
+  real along = dot(offset, direction);
+  vec3 across = offset - along * direction;
+  real square = max(
+    dot(across, across) + softening, LIGHT_MINIMUM_RADIUS * LIGHT_MINIMUM_RADIUS);
+  real apart = sqrt(square);
+  real reach = real(0.5) * width;
+  real angle = atan(width * apart, square + along * along - reach * reach);
+  real before = square + (along + reach) * (along + reach);
+  real behind = square + (along - reach) * (along - reach);
+  real place = along + real(0.5) * apart * log(behind / before) / angle;
+  return vec2(angle / (width * apart), clamp(place, -reach, reach));
+}
+
 // cos^exponent inside the cone, 0 outside. cosAngle is the cosine between the light's axis and the
 // way to the point. pow(0, 0) and pow of a negative number are undefined in GLSL, and branched
 // around.
