@@ -94,7 +94,7 @@ public:
   static constexpr int MostCachedLights = MostCacheTextures * CacheChannels;
   /// Pixels along the edge of a tile.
   static constexpr int TileEdge = 8;
-  /// Exact: the difference between a part of a cell and its halves that is accepted, of the radiance.
+  /// Exact: what a part of a cell may be off by, of the radiance so far.
   static constexpr double ExactTolerance = 4e-6;
   /// Exact: parts of a cell in which a field counts as linear where a function maps it.
   static constexpr int ExactParts = 3;

@@ -61,7 +61,7 @@
  * | Paper | the algorithm of Han, Ki and Oh (GPU Ray Marching for Real-Time Rendering of Participating Media): a homogeneous medium fills the voxels at or above a threshold; linear then binary search finds its surface; left Riemann sums | 1 |
  * | FixedStep | any medium; nested midpoint marching with a closed form in each segment | 2 |
  * | ErrorControlled | any medium; the longest step that keeps MaximumError, found from probe pixels; bricks and light caches | 2 |
- * | Exact | any medium; cell by cell on eye and light rays, refined until it agrees with itself; slow | – |
+ * | Exact | any medium; cell by cell on eye and light rays, refined to 1e-4 of the peak; slow | – |
  *
  * @sa vtkParticipatingMedium vtkSingleScatteringReference vtkMediumStatistics
  */

@@ -86,9 +86,8 @@ interpolated data has a kink at every cell face, which costs h² times the jump 
 factor that depends on where the samples fall beside the face. Its mean over a picture falls as h²; its
 largest value is that of one unlucky pixel, and falls by uneven steps, which is why the slope of the
 largest error scatters about 2 (most on the smooth field, where kinks are small and chance decides).
-Exact takes a part of a cell for done when two estimates of it agree; where a light ray's way changes from
-one face of the box to another inside a cell they can agree by chance, which is its largest error on the
-linear field and in the dense box above.
+Exact halves a part of a cell until two combinations of its samples, which vanish for cubics and bound the
+error of one kink or jump anywhere in it, are small.
 Paper's left Riemann sums are of first order; what its linear search misses because it is thinner than a
 step adds to the largest error.
 """
