@@ -28,9 +28,9 @@ void vtkMediumPlan::PlanExact(const vtkMediumScene& scene, const Capabilities& d
   {
     this->Lattices.emplace_back(); // a homogeneous box is one cell
   }
-  // A light at a time, for a part of a cell marches six light rays for each. Software renderers run
+  // A light at a time, for a part of a cell marches seven light rays for each. Software renderers run
   // eight pixels in lockstep, which at worst spend their iterations one after the other.
-  const int part = 6 * (longest.x + longest.y + longest.z + MostKeptParts);
+  const int part = 7 * (longest.x + longest.y + longest.z + MostKeptParts);
   const int lockstep = 8;
   this->IterationBudget = std::max(device.LoopIterations / lockstep - part, 1);
   const int lights = this->Lit ? static_cast<int>(scene.Lights.size()) : 0;
