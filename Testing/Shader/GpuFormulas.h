@@ -21,11 +21,13 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
+#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <string>
 #include <vector>
 
 /// Up to eight arguments of a formula, in the order of EvaluateFormulas.glsl.
@@ -54,9 +56,10 @@ public:
     JitterOffset,
     PhaseAngle,
     LightSegment,
+    FieldInterpolate, ///< of the field that SetField gave; with FIELD_COUNT 1
   };
 
-  GpuFormulas()
+  explicit GpuFormulas(const std::string& defines = "#define FIELD_COUNT 0\n")
   {
     this->Window->SetOffScreenRendering(1);
     this->Window->SetMultiSamples(0);
@@ -64,12 +67,28 @@ public:
     this->Window->Render();
     this->GL = vtkOpenGLRenderWindow::SafeDownCast(this->Window);
     const std::string text = vtkMediumProgram::Assemble(
-      { "Phase", "Segment", "Transmittance", "RayBox", "Light", "Jitter" }, "");
+      { "Phase", "Segment", "Transmittance", "RayBox", "Light", "Jitter", "Fields" }, defines);
     this->Quad.reset(
       new vtkOpenGLQuadHelper(this->GL, nullptr, (text + EvaluateFormulas).c_str(), nullptr));
   }
 
-  ~GpuFormulas() { this->Quad->ReleaseGraphicsResources(this->GL); }
+  ~GpuFormulas()
+  {
+    this->Field->ReleaseGraphicsResources(this->GL);
+    this->Quad->ReleaseGraphicsResources(this->GL);
+  }
+
+  /// A field of one component as the mapper's textures hold it, x fastest.
+  void SetField(const glm::ivec3& size, std::vector<float> values)
+  {
+    this->Field->SetContext(this->GL);
+    this->Field->SetMinificationFilter(vtkTextureObject::Linear);
+    this->Field->SetMagnificationFilter(vtkTextureObject::Linear);
+    this->Field->SetWrapS(vtkTextureObject::ClampToEdge);
+    this->Field->SetWrapT(vtkTextureObject::ClampToEdge);
+    this->Field->SetWrapR(vtkTextureObject::ClampToEdge);
+    this->Field->Create3DFromRaw(size.x, size.y, size.z, 1, VTK_FLOAT, values.data());
+  }
 
   bool IsCompiled() const { return this->Quad->Program && this->Quad->Program->GetCompiled(); }
 
@@ -102,10 +121,20 @@ public:
     arguments->Activate();
     this->Quad->Program->SetUniformi("arguments", arguments->GetTextureUnit());
     this->Quad->Program->SetUniformi("formula", formula);
+    if (this->Field->GetHandle())
+    {
+      this->Field->Activate();
+      const int unit = this->Field->GetTextureUnit();
+      this->Quad->Program->SetUniform1iv("fields", 1, &unit);
+    }
     const float outputSize[2] = { static_cast<float>(width), static_cast<float>(height) };
     this->Quad->Program->SetUniform2f("outputSize", outputSize);
     this->Quad->Render();
     arguments->Deactivate();
+    if (this->Field->GetHandle())
+    {
+      this->Field->Deactivate();
+    }
     state->PopFramebufferBindings();
 
     std::vector<glm::vec4> values(table.size());
@@ -124,6 +153,7 @@ public:
 private:
   vtkNew<vtkRenderWindow> Window;
   vtkOpenGLRenderWindow* GL = nullptr;
+  vtkNew<vtkTextureObject> Field;
   std::unique_ptr<vtkOpenGLQuadHelper> Quad;
 };
 
