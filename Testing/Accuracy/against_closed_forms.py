@@ -153,9 +153,9 @@ The formulas are those of a homogeneous box (A), a sphere (B), a point light ins
 doi:10.1145/1073204.1073309), an exponential atmosphere (D) and a ramp (E), the last two as optical
 depth, and a furnace (F). The sphere is drawn from a grid of distances, 64 points wide, and compared
 where a ray passes the centre within 0.9 of the radius: the reference's error is that of the grid,
-which is straight lines between points; FixedStep and Exact add the width of the step or part of a cell
-in which the extinction jumps, and Paper finds the jump by bisection. Paper has neither coefficients
-from arrays nor phase functions but Schlick's, so some of its cells are empty.
+which is straight lines between points; FixedStep adds the width of the step in which the extinction
+jumps, and Paper finds the jump by bisection. Paper has neither coefficients from arrays nor phase
+functions but Schlick's, so some of its cells are empty.
 
 {table(head, rows)}
 """
