@@ -81,6 +81,23 @@ TEST(LoopLimit, HundredThousandEyeStepsAreTruthA)
   EXPECT_GT(scene.Mapper->GetStatistics()->GetPasses(), 1);
 }
 
+// A light ray through a constant extinction is one segment, but a loop for all that.
+TEST(LoopLimit, ManyEyeStepsInAConstantExtinctionAreTruthA)
+{
+  Scene scene(MakeBox(), 24);
+  scene.Mapper->SetTransmittanceThreshold(0);
+  scene.Medium->SetExtinction(3);
+  const glm::dvec3 beam = glm::normalize(glm::dvec3(0.3, -0.8, -0.4));
+  scene.AddBeam(beam);
+  scene.Look({ 0.4, -0.3, -1 }, 2.4);
+  scene.SetSteps(3e-5, 0.3);
+  const Picture picture = scene.Render();
+  ForEachPixel(scene, [&](int x, int y, const Ray& ray) {
+    const double truth = Isotropic * BoxRadiance(Box(glm::dvec3(1)), ray, -beam, 3);
+    ASSERT_NEAR(picture.At(x, y), truth, 1e-4 * truth + 2e-6) << x << ", " << y;
+  });
+}
+
 TEST(LoopLimit, HundredThousandLightStepsAreTruthA)
 {
   DiagonalScene scene;
