@@ -56,6 +56,7 @@ std::string vtkMediumFrame::Begin(
   this->Result = 0;
   const unsigned int width = viewport.GetRays().x, height = viewport.GetRays().y;
   const int filter = viewport.PixelEdge > 1 ? vtkTextureObject::Linear : vtkTextureObject::Nearest;
+  this->Framebuffer->SetContext(window);
   for (int set = 0; set < this->UsedSets; ++set)
   {
     for (int target = 0; target < this->UsedTargets; ++target)
@@ -77,9 +78,39 @@ std::string vtkMediumFrame::Begin(
       texture->SetMagnificationFilter(filter);
     }
   }
+  const std::string problem = this->CheckTargets();
+  if (!problem.empty())
+  {
+    return problem;
+  }
   copyDepth ? this->Depth.Capture(window, viewport.Origin, viewport.Size)
             : this->Depth.SetToFar(window, viewport.Size);
   return {};
+}
+
+//------------------------------------------------------------------------------
+std::string vtkMediumFrame::CheckTargets()
+{
+  vtkOpenGLState* state = this->Window->GetState();
+  state->PushFramebufferBindings();
+  unsigned int status = GL_FRAMEBUFFER_COMPLETE;
+  for (int set = 0; set < this->UsedSets && status == GL_FRAMEBUFFER_COMPLETE; ++set)
+  {
+    this->BindTargets(set);
+    status = glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER);
+  }
+  state->PopFramebufferBindings();
+  if (status == GL_FRAMEBUFFER_COMPLETE)
+  {
+    return {};
+  }
+  std::ostringstream text;
+  text << "The device cannot draw into a float image of " << this->View.Size.x << " x "
+       << this->View.Size.y << " pixels (framebuffer status 0x" << std::hex << status
+       << "); use a device that can (OpenGL 3.2 with GL_RGBA32F), make the window smaller or free "
+          "device memory.";
+  this->ReleaseGraphicsResources(this->Window); // so that the next frame allocates anew
+  return text.str();
 }
 
 //------------------------------------------------------------------------------
@@ -141,11 +172,15 @@ void vtkMediumFrame::SetContentUniforms(
 {
   const vtkMediumScene::Medium& content = scene.Content;
   const double unit = scene.Geometry.Length * content.DensityScale; // per world to per local unit
-  SetUniform(program, "extinctionScale", unit * content.Extinction.Scale);
+  auto scale = [&content](const vtkMediumScene::Coefficient& coefficient) {
+    const bool field = coefficient.Source == vtkMediumScene::Coefficient::Field;
+    return coefficient.Scale * (field ? content.Fields[coefficient.FieldIndex].GetUnit() : 1.0);
+  };
+  SetUniform(program, "extinctionScale", unit * scale(content.Extinction));
   SetUniform(program, "scatteringScale",
-    (content.ScatteringIsAlbedo ? 1.0 : unit) * content.Scattering.Scale);
-  SetUniform(program, "emissionScale", unit * content.Emission.Scale);
-  SetUniform(program, "anisotropyScale", content.Anisotropy.Scale);
+    (content.ScatteringIsAlbedo ? 1.0 : unit) * scale(content.Scattering));
+  SetUniform(program, "emissionScale", unit * scale(content.Emission));
+  SetUniform(program, "anisotropyScale", scale(content.Anisotropy));
   SetUniform(program, "phaseLobes",
     glm::dvec4(content.BackAnisotropy, content.ForwardWeight, content.DraineAlpha, 0));
   for (std::size_t i = 0; i < plan.Lattices.size(); ++i)
@@ -195,7 +230,6 @@ bool vtkMediumFrame::Integrate(vtkMediumProgram& programs, vtkMediumTextures& te
 
   this->Draws = 0;
   state->PushFramebufferBindings();
-  this->Framebuffer->SetContext(this->Window);
   for (int set = 0; set < this->UsedSets; ++set)
   {
     this->ClearTargets(set);

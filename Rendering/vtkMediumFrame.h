@@ -120,6 +120,8 @@ private:
   bool IsOver();
   void DrawPass(
     vtkMediumProgram& programs, vtkShaderProgram* program, const vtkMediumPlan::Pass& pass);
+  /// Empty, or why the device cannot draw into the targets.
+  std::string CheckTargets();
   void BindTargets(int set);
   void ClearTargets(int set);
 

@@ -156,6 +156,10 @@ int vtkMediumPlan::CountLightIterations(bool paper) const
   {
     return 5; // one segment, and what a loop costs beyond its iterations
   }
+  if (this->ConstantExtinction && !paper)
+  {
+    return 4 + 1; // a loop, if over one segment only
+  }
   const int steps = paper ? 1 : LightTapsPerIteration; // an iteration
   const int iterations = this->ConstantExtinction && !paper
     ? 1

@@ -10,6 +10,8 @@
 
 #include <glm/common.hpp>
 
+#include <algorithm>
+
 namespace
 {
 // Of the viewport's size along each axis, and the least and most pixels of it.
@@ -20,6 +22,7 @@ constexpr int MostProbes = 96;
 constexpr int CacheProbes = 32;
 constexpr double CacheProbeStep = 1;
 constexpr double CacheProbeLightStep = 0.5;
+constexpr double LargestProbeStep = 1.0 / 64; // of the box's diagonal, where voxels are large
 }
 
 //------------------------------------------------------------------------------
@@ -33,7 +36,8 @@ std::vector<float> vtkMediumRenderer::IntegrateProbes(const glm::ivec2& pixels,
   std::string problem = this->Accelerator.Update(this->Window, this->Scene, plan);
   problem =
     problem.empty() ? this->Probe.Begin(this->Window, viewport, plan.NeedsState(), false) : problem;
-  refusal = problem.empty() ? this->Integrate(this->Probe, plan) : problem;
+  problem = problem.empty() ? this->Integrate(this->Probe, plan) : problem;
+  refusal = refusal.empty() ? problem : refusal;
   return this->Probe.DownloadRadiance();
 }
 
@@ -62,10 +66,15 @@ std::string vtkMediumRenderer::FindStep(const Request& request,
     return integrate(pixels, light);
   };
   probes.InLight = [&](const vtkMediumStepControl::Light& light) {
-    settings.ControlledStep = CacheProbeStep * voxel;
-    settings.ControlledLightStep = CacheProbeLightStep * voxel;
+    const double length = std::min(voxel, LargestProbeStep);
+    settings.ControlledStep = CacheProbeStep * length;
+    settings.ControlledLightStep = CacheProbeLightStep * length;
     return integrate(glm::ivec2(CacheProbes), light);
   };
   this->StepControl.Calibrate(this->Scene, request.MaximumError, voxel, probes);
+  if (!refusal.empty())
+  {
+    this->StepControl.Forget();
+  }
   return refusal;
 }

@@ -11,8 +11,12 @@ namespace
 {
 constexpr double CoarsestStep = 8;      // voxels
 constexpr double FinestStep = 1.0 / 16; // voxels
-constexpr double ProbeSafety = 2;       // the worst pixel against the worst probe
-constexpr double SlowestOrder = 1.4;    // least ratio of successive changes that is believed
+// The same for a lattice of few voxels, in diagonals of the box: several steps differ from one, and a
+// dense medium is resolved however large its voxels are.
+constexpr double CoarsestPart = 1.0 / 8;
+constexpr double FinestPart = 1.0 / 512;
+constexpr double ProbeSafety = 2;    // the worst pixel against the worst probe
+constexpr double SlowestOrder = 1.4; // least ratio of successive changes that is believed
 constexpr double SecondOrder = 4;
 constexpr double CacheShare = 0.75; // of the error, that caches may use up
 // What look-ups may err by along the volume's diagonal: at first, of the error that is asked for, since
@@ -109,6 +113,14 @@ void vtkMediumStepControl::Calibrate(
 }
 
 //------------------------------------------------------------------------------
+void vtkMediumStepControl::Forget()
+{
+  this->Signature = vtkMediumSignature();
+  this->Found.clear();
+  this->Marched.clear();
+}
+
+//------------------------------------------------------------------------------
 void vtkMediumStepControl::FindLight(double maximumError, const Probes& probes)
 {
   this->Lighting = Light();
@@ -150,7 +162,8 @@ void vtkMediumStepControl::FindLight(double maximumError, const Probes& probes)
 //------------------------------------------------------------------------------
 void vtkMediumStepControl::FindStep(double maximumError, double voxel, const Probes& probes)
 {
-  double step = CoarsestStep * voxel;
+  double step = std::min(CoarsestStep * voxel, CoarsestPart);
+  const double finest = std::min(FinestStep * voxel, FinestPart);
   Image coarse = probes.InSteps(this->Lighting, step);
   double before = -1; // the change of the halving before
   double ratio = SecondOrder;
@@ -163,7 +176,7 @@ void vtkMediumStepControl::FindStep(double maximumError, double voxel, const Pro
       ? std::min(std::max(before / relative, SlowestOrder), SecondOrder)
       : 2;
     this->Error = ProbeSafety * relative / (ratio - 1);
-    if (this->Error <= maximumError || step <= FinestStep * voxel)
+    if (this->Error <= maximumError || step <= finest)
     {
       break;
     }

@@ -68,6 +68,9 @@ public:
   void Calibrate(
     const vtkMediumScene& scene, double maximumError, double voxel, const Probes& probes);
 
+  /// Forgets what was found, because the probes could not be drawn.
+  void Forget();
+
   /// The largest difference of two images of the same pixels, as a fraction of the second's peak.
   static double RelativeDifference(const Image& image, const Image& other);
 

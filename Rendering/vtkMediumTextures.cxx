@@ -57,10 +57,15 @@ std::string vtkMediumTextures::Update(
       return text.str();
     }
   }
+  this->TableFailed = false;
   this->UpdateFunctions(scene.Content.Functions);
   this->UpdateLights(scene.Lights);
   this->UpdatePhase(scene.Content.PhaseTable);
   this->UpdateJitter();
+  if (this->TableFailed)
+  {
+    return "The device could not allocate a table of floats; free device memory.";
+  }
   return {};
 }
 
@@ -131,7 +136,16 @@ void vtkMediumTextures::UploadTable(vtkTextureObject* texture, int width, int he
   texture->SetWrapT(vtkTextureObject::ClampToEdge);
   texture->SetMinificationFilter(filter);
   texture->SetMagnificationFilter(filter);
-  texture->Create2DFromRaw(width, height, components, VTK_FLOAT, const_cast<float*>(texels.data()));
+  while (glGetError() != GL_NO_ERROR)
+  {
+  }
+  const bool created = texture->Create2DFromRaw(
+    width, height, components, VTK_FLOAT, const_cast<float*>(texels.data()));
+  if (!created || glGetError() != GL_NO_ERROR)
+  {
+    texture->ReleaseGraphicsResources(this->Window); // so that the next frame tries anew
+    this->TableFailed = true;
+  }
   ++this->Uploads;
 }
 
@@ -242,9 +256,12 @@ void vtkMediumTextures::Activate(vtkShaderProgram* program, const vtkMediumPlan&
     program->SetUniform3f(Indexed("fieldBias", i).c_str(), &bias[0]);
     program->SetUniformf(
       Indexed("fieldTexelScale", i).c_str(), static_cast<float>(vtkMediumTexelScale(field)));
-    program->SetUniformf(Indexed("fieldMinimum", i).c_str(), static_cast<float>(field.Minimum));
-    program->SetUniformf(
-      Indexed("fieldRange", i).c_str(), static_cast<float>(field.Maximum - field.Minimum));
+    // In the field's own unit, which the coefficients' scales take up (vtkMediumFrame): a double may be
+    // beyond float.
+    const double minimum = field.Minimum / field.GetUnit();
+    const double range = field.Maximum / field.GetUnit() - minimum;
+    program->SetUniformf(Indexed("fieldMinimum", i).c_str(), static_cast<float>(minimum));
+    program->SetUniformf(Indexed("fieldRange", i).c_str(), static_cast<float>(range));
   }
   if (!this->Functions.empty())
   {

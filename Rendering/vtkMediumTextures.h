@@ -78,6 +78,7 @@ private:
   std::vector<vtkTextureObject*> Active;
   vtkOpenGLRenderWindow* Window = nullptr;
   int Uploads = 0;
+  bool TableFailed = false; ///< whether a table could not be allocated in the last Update
   vtkTypeInt64 NonFinite = 0;
 };
 

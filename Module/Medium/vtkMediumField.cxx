@@ -27,6 +27,13 @@ bool vtkMediumField::FindRange()
 }
 
 //------------------------------------------------------------------------------
+double vtkMediumField::GetUnit() const
+{
+  const double largest = std::max(std::abs(this->Minimum), std::abs(this->Maximum));
+  return largest > 0 ? largest : 1;
+}
+
+//------------------------------------------------------------------------------
 double vtkMediumField::GetValue(int i, int j, int k, int component) const
 {
   const vtkIdType tuple =

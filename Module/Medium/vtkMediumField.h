@@ -36,6 +36,9 @@ public:
   /// Fills Minimum and Maximum from the array's finite values; false if it has none.
   bool FindRange();
 
+  /// The largest magnitude, in which the values are at most 1 and float holds them; 1 if all are 0.
+  double GetUnit() const;
+
   /// A lattice value, with the policy for non-finite values applied.
   double GetValue(int i, int j, int k, int component = 0) const;
 

@@ -8,7 +8,7 @@ uniform sampler3D fields[FIELD_COUNT];
 uniform vec3 fieldScale[FIELD_COUNT]; // box to texture coordinates
 uniform vec3 fieldBias[FIELD_COUNT];
 uniform float fieldTexelScale[FIELD_COUNT]; // the texture's value to that
-uniform float fieldMinimum[FIELD_COUNT]; // the value of a texel of 0
+uniform float fieldMinimum[FIELD_COUNT]; // the value of a texel of 0, in the field's unit
 uniform float fieldRange[FIELD_COUNT];   // the value of a texel of 1, less that
 
 #ifdef COARSE_FILTER
