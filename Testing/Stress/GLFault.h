@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file GLFault.h
+ * @brief Makes one OpenGL call fail as long as it exists: what a device may do, on a device that does not.
+ *
+ * The loader's pointers are replaced. The one of OpenGL 1.1 among them, glTexImage2D, is called directly
+ * by VTK and is replaced by this program's own symbol, see RowsFaults.cxx.
+ */
+#ifndef GLFault_h
+#define GLFault_h
+
+#include "vtkMediumOpenGL.h"
+
+namespace vtkMediumStress
+{
+class GLFault
+{
+public:
+  enum Kinds
+  {
+    None,
+    ShaderDoesNotCompile, ///< every shader's source is replaced by what no compiler takes
+    NoFloatTargets,       ///< a framebuffer with a float attachment is unsupported
+    NoMemoryFor3D,        ///< a 3D texture cannot be allocated
+    NoMemoryFor2D,        ///< a 2D texture of floats cannot be allocated
+  };
+
+  explicit GLFault(Kinds kind)
+    : ShaderSource(glShaderSource)
+    , CheckFramebufferStatus(glCheckFramebufferStatus)
+    , TexImage3D(glTexImage3D)
+  {
+    Current() = this;
+    Active() = kind;
+    switch (kind)
+    {
+      case ShaderDoesNotCompile:
+        glShaderSource = BreakSource;
+        break;
+      case NoFloatTargets:
+        glCheckFramebufferStatus = DenyFloat;
+        break;
+      case NoMemoryFor3D:
+        glTexImage3D = Deny3D;
+        break;
+      default:
+        break;
+    }
+  }
+
+  ~GLFault()
+  {
+    glShaderSource = this->ShaderSource;
+    glCheckFramebufferStatus = this->CheckFramebufferStatus;
+    glTexImage3D = this->TexImage3D;
+    Active() = None;
+    Current() = nullptr;
+    while (glGetError() != GL_NO_ERROR) // that were provoked
+    {
+    }
+  }
+
+  static Kinds& Active()
+  {
+    static Kinds kind = None;
+    return kind;
+  }
+
+private:
+  GLFault(const GLFault&) = delete;
+  void operator=(const GLFault&) = delete;
+
+  static GLFault*& Current()
+  {
+    static GLFault* current = nullptr;
+    return current;
+  }
+
+  static void GLAPIENTRY BreakSource(GLuint shader, GLsizei, const GLchar* const*, const GLint*)
+  {
+    const GLchar* text = "#error this compiler is broken on purpose\n";
+    Current()->ShaderSource(shader, 1, &text, nullptr);
+  }
+
+  static GLenum GLAPIENTRY DenyFloat(GLenum target)
+  {
+    GLint type = GL_NONE;
+    glGetFramebufferAttachmentParameteriv(
+      target, GL_COLOR_ATTACHMENT0, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &type);
+    if (type == GL_TEXTURE)
+    {
+      glGetFramebufferAttachmentParameteriv(
+        target, GL_COLOR_ATTACHMENT0, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &type);
+    }
+    return type == GL_FLOAT ? GL_FRAMEBUFFER_UNSUPPORTED
+                            : Current()->CheckFramebufferStatus(target);
+  }
+
+  /// An error is raised the only way that OpenGL offers: by a call that is wrong.
+  static void GLAPIENTRY Deny3D(GLenum, GLint level, GLint format, GLsizei w, GLsizei h, GLsizei d,
+    GLint border, GLenum pixels, GLenum type, const void* data)
+  {
+    Current()->TexImage3D(GL_NONE, level, format, w, h, d, border, pixels, type, data);
+  }
+
+  decltype(glShaderSource) ShaderSource;
+  decltype(glCheckFramebufferStatus) CheckFramebufferStatus;
+  decltype(glTexImage3D) TexImage3D;
+};
+}
+
+#endif

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Row 57: devices that fail. One clear error, the background stays, and what comes next is right.
+#include "GLFault.h"
+#include "StressRefusal.h"
+
+#include <dlfcn.h>
+
+#include <memory>
+
+/// Stands before libGL's in the order of symbols, for VTK's libraries too.
+extern "C" __attribute__((visibility("default"))) void glTexImage2D(GLenum target, GLint level,
+  GLint format, GLsizei width, GLsizei height, GLint border, GLenum pixels, GLenum type,
+  const void* data)
+{
+  using Function =
+    void (*)(GLenum, GLint, GLint, GLsizei, GLsizei, GLint, GLenum, GLenum, const void*);
+  static const Function real = reinterpret_cast<Function>(dlsym(RTLD_NEXT, "glTexImage2D"));
+  using vtkMediumStress::GLFault;
+  const bool deny = GLFault::Active() == GLFault::NoMemoryFor2D && format == GL_RGBA32F;
+  real(deny ? GLenum(GL_NONE) : target, level, format, width, height, border, pixels, type, data);
+}
+
+namespace vtkMediumStress
+{
+namespace
+{
+/// A change that needs a new program, texture and framebuffer.
+void Unsettle(Stage& stage)
+{
+  stage.Mapper->ReleaseGraphicsResources(stage.Window);
+  stage.Medium->SetPhaseFunctionToSchlickK();
+  stage.Medium->SetAnisotropy(0.3);
+  stage.Medium->SetExtinctionArrayName("");
+}
+
+void Settle(Stage& stage)
+{
+  stage.Medium->SetPhaseFunctionToHenyeyGreenstein();
+  stage.Medium->SetAnisotropy(0);
+  stage.Medium->SetExtinctionArrayName(nullptr);
+  stage.Watch.Forget();
+}
+
+void CheckFault(Trial& trial, GLFault::Kinds kind, const std::string& word)
+{
+  std::unique_ptr<GLFault> fault;
+  CheckRefusal(
+    trial, word,
+    [&](Stage& stage) {
+      Unsettle(stage);
+      if (trial.Is(
+            Mapper::Paper)) // which takes no coefficient from an array, and reads the scalars
+      {
+        stage.Medium->SetExtinctionArrayName(nullptr);
+      }
+      fault.reset(new GLFault(kind));
+    },
+    [&](Stage& stage) {
+      stage.Window->MakeCurrent();
+      fault.reset();
+      Settle(stage);
+    },
+    true);
+}
+
+/// The same program, refused before, compiles once the device can and the resources were released.
+void CheckRecompiles(Trial& trial)
+{
+  Stage stage(trial, MakeBox(), 8);
+  stage.AddBeam({ 0.3, -1, -0.2 });
+  {
+    PrintedErrors printed;
+    Stage other(trial, MakeBox(), 8);
+    GLFault fault(GLFault::ShaderDoesNotCompile);
+    stage.Window->Render();
+  }
+  trial.Holds(stage.Errors.size() == 1, "one error event");
+  stage.Errors.clear();
+  stage.Mapper->ReleaseGraphicsResources(stage.Window);
+  trial.Holds(stage.Render().Mean() > 0, "the shader compiles after all");
+}
+
+void Faults(Trial& trial)
+{
+  CheckFault(trial, GLFault::ShaderDoesNotCompile, "did not compile");
+  CheckRecompiles(trial);
+  CheckFault(trial, GLFault::NoFloatTargets, "float image");
+  CheckFault(trial, GLFault::NoMemoryFor2D, "could not allocate");
+  CheckFault(trial, GLFault::NoMemoryFor3D, "could not allocate");
+}
+}
+
+std::vector<Row> FaultRows()
+{
+  return {
+    { 57, "FailingDevicesAreReportedOnce",
+      "E: no compiler, no float targets, no memory for 2D and 3D textures", Faults, {} },
+  };
+}
+}
