@@ -11,7 +11,7 @@
 
 #include "vtkMediumOpenGL.h"
 
-#include "vtkRenderWindow.h"
+#include "vtkOpenGLRenderWindow.h"
 
 #include <sstream>
 #include <string>

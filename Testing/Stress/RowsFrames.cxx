@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Rows 49, 53, 54, 59 and 60: several volumes, windows and frames.
+#include "FuzzedScene.h"
 #include "StressStage.h"
 
 #include "vtkSingleScatteringReference.h"
@@ -148,6 +149,24 @@ void AgainstReference(Trial& trial)
 }
 
 /// A frame again: as it was kept, integrated anew after another one, and in another mapper.
+/// Seeds from 0 on, whatever integrators they choose; frames of 2 s on an idle machine are hangs, and
+/// the longest of these take a fiftieth of it.
+void RandomSettings(Trial& trial)
+{
+  int drawn = 0, refused = 0;
+  for (unsigned seed = 0; seed < 200; ++seed)
+  {
+    FuzzedScene scene(seed);
+    for (int frame = 0; frame < FuzzedScene::Frames; ++frame)
+    {
+      const std::string problem = scene.Frame(frame);
+      trial.Holds(problem.empty(), "seed " + std::to_string(seed) + ": " + problem);
+      ++(scene.WasRefused() ? refused : drawn);
+    }
+  }
+  trial.Holds(drawn > 100 && refused > 100, "both kinds occur");
+}
+
 void SameTwice(Trial& trial)
 {
   FieldStage stage(trial);
@@ -177,6 +196,12 @@ std::vector<Row> FrameRows()
     { 59, "RenderersAgree",
       "5e-4 of the peak against the reference, so 1e-3 between any two renderers", AgainstReference,
       { { Mapper::Paper, DrawsHomogeneous } } },
+    { 58, "RandomSettingsAreDrawnOrRefused",
+      "each frame finite and >= 0, or refused by one error; more than a hundred of each kind",
+      RandomSettings,
+      { { Mapper::Paper, "is among the settings of FixedStep's cell" },
+        { Mapper::ErrorControlled, "is among the settings of FixedStep's cell" },
+        { Mapper::Exact, "is among the settings of FixedStep's cell" } } },
     { 60, "SameFrameTwiceIsIdentical", "bitwise", SameTwice, {} },
   };
 }

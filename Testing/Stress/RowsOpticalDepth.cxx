@@ -57,7 +57,7 @@ void OpaqueRadiance(Trial& trial)
     const Picture picture = stage.Render();
     const double limit = Isotropic / 2;
     const std::string what = "optical depth " + std::to_string(tau);
-    trial.AtMost(1 - picture.At(2, 2, 3), 1e-35, what + ", transmittance");
+    trial.Holds(picture.At(2, 2, 3) == 1, what + ", alpha is 1");
     if (tau < 1000 || resolves)
     {
       trial.AtMost(QError(trial, picture.At(2, 2), limit, limit), stage.Allowed(tau), what);
@@ -85,12 +85,28 @@ void OpaqueEmission(Trial& trial)
   }
 }
 
+/// An alpha cannot tell 1e-9 from 1e-35; the transmittance itself can. It is held at exp(-80), so that
+/// products of it stay normal numbers.
+void OpaqueTransmittance(Trial& trial)
+{
+  Stage stage(trial, MakeBox(), 4);
+  stage.LookParallel({ 0, 0, -1 }, 2, 0.4);
+  stage.Mapper->SetOutputToTransmittance();
+  for (double tau : { 88.0, 104.0, 1e6, 1e30 })
+  {
+    stage.SetSigma(tau);
+    trial.AtMost(
+      stage.Render().At(2, 2), 2e-35, "transmittance of optical depth " + std::to_string(tau));
+  }
+}
+
 void OpaqueLimits(Trial& trial)
 {
   OpaqueRadiance(trial);
-  if (!trial.Is(Mapper::Paper)) // which has no emission
+  if (!trial.Is(Mapper::Paper)) // which has no emission and no such output
   {
     OpaqueEmission(trial);
+    OpaqueTransmittance(trial);
   }
 }
 
@@ -194,7 +210,7 @@ std::vector<Row> OpticalDepthRows()
       { { Mapper::ErrorControlled, { 101, FinestSteps } },
         { Mapper::Exact, { 34, LargeCells } } } },
     { 3, "OpaqueMediaReachTheirLimit",
-      "T ≤ 1e-35; Q where a step resolves a free path, else at most the limit p E / 2",
+      "T ≤ 2e-35, exp(-80); Q where a step resolves a free path, else at most the limit p E / 2",
       OpaqueLimits, {},
       { { Mapper::ErrorControlled, { 56, FinestSteps } },
         { Mapper::Exact,

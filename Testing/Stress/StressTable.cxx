@@ -4,8 +4,6 @@
 // the file that the environment's STRESS_RESULTS names.
 #include "StressTable.h"
 
-#include "vtkNew.h"
-#include "vtkObjectFactory.h"
 #include "vtkRenderWindow.h"
 
 #include <gtest/gtest.h>
@@ -24,20 +22,6 @@ namespace
 constexpr int Integrators[] = { Mapper::Paper, Mapper::FixedStep, Mapper::ErrorControlled,
   Mapper::Exact };
 const char* const Names[] = { "Paper", "FixedStep", "ErrorControlled", "Exact" };
-
-/// Collects instead of printing.
-class CollectingWindow : public vtkOutputWindow
-{
-public:
-  static CollectingWindow* New();
-  vtkTypeMacro(CollectingWindow, vtkOutputWindow);
-  void DisplayErrorText(const char* text) override { this->Errors.emplace_back(text); }
-  void DisplayGenericWarningText(const char*) override {}
-  void DisplayWarningText(const char*) override {}
-  void DisplayText(const char*) override {}
-  std::vector<std::string> Errors;
-};
-vtkStandardNewMacro(CollectingWindow);
 
 std::string InWords(double value)
 {
@@ -170,23 +154,6 @@ void Trial::Holds(bool holds, const std::string& what)
   {
     this->Note(HUGE_VAL, "fails: " + what, "holds");
   }
-}
-
-PrintedErrors::PrintedErrors()
-  : Before(vtkOutputWindow::GetInstance())
-  , Here(vtkSmartPointer<CollectingWindow>::New())
-{
-  vtkOutputWindow::SetInstance(this->Here);
-}
-
-PrintedErrors::~PrintedErrors()
-{
-  vtkOutputWindow::SetInstance(this->Before);
-}
-
-std::vector<std::string>& PrintedErrors::Get()
-{
-  return static_cast<CollectingWindow*>(this->Here.Get())->Errors;
 }
 
 /// The OpenGL renderer's own name, as the first record.

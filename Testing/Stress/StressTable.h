@@ -12,7 +12,8 @@
 #ifndef StressTable_h
 #define StressTable_h
 
-#include "vtkOutputWindow.h"
+#include "PrintedErrors.h"
+
 #include "vtkSingleScatteringVolumeMapper.h"
 
 #include <map>
@@ -95,18 +96,6 @@ constexpr const char* LargeCells = "in cells of a third of the volume, light tha
                                    "another face from within the cell on errs by "
                                    "up to 0.3 % in a homogeneous medium";
 constexpr const char* ChoosesSteps = "chooses its steps itself";
-
-/// What VTK's other classes print while it exists.
-class PrintedErrors
-{
-public:
-  PrintedErrors();
-  ~PrintedErrors();
-  std::vector<std::string>& Get();
-
-private:
-  vtkSmartPointer<vtkOutputWindow> Before, Here;
-};
 }
 
 #endif

@@ -11,7 +11,7 @@ from pathlib import Path
 INTEGRATORS = ("Paper", "FixedStep", "ErrorControlled", "Exact")
 #: Rows of the matrix that no cell measures, and where they are looked at instead.
 ELSEWHERE = {
-    58: "Ten thousand random settings under the sanitizers: not a test of this table, and not made yet.",
+    58: "Random settings, by `Testing/Stress/fuzz`; `Stress/Row58_RandomSettingsAreDrawnOrRefused` is a slice.",
 }
 
 

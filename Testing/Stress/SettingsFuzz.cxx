@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Random settings of everything that a user can set, frame after frame. Whatever they are, a frame is
+// either refused by one error or finite, >= 0 and without an OpenGL error; nothing crashes or hangs.
+//
+// usage: ParticipatingMediaSettingsFuzz [FIRST [COUNT]]
+//
+// A seed is a setting; what fails prints its seed, and is replayed by giving it as FIRST. Steps are at
+// least a fiftieth of the volume, since the work of a frame is what its steps ask for.
+#include "FuzzedScene.h"
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <iostream>
+
+extern "C" __attribute__((weak)) void __sanitizer_set_death_callback(void (*)());
+
+namespace
+{
+volatile unsigned Current = 0;
+
+void SaySeed()
+{
+  std::cerr << "\nseed " << Current
+            << " ended the process; replay it by: ParticipatingMediaSettingsFuzz " << Current
+            << "\n";
+}
+
+extern "C" void OnSignal(int number)
+{
+  SaySeed();
+  std::signal(number, SIG_DFL);
+  std::raise(number);
+}
+
+void SaySeedWhenEnded()
+{
+  if (__sanitizer_set_death_callback)
+  {
+    __sanitizer_set_death_callback(SaySeed);
+    return;
+  }
+  for (int number : { SIGSEGV, SIGABRT, SIGFPE, SIGILL, SIGTERM })
+  {
+    std::signal(number, OnSignal);
+  }
+}
+}
+
+int main(int argc, char** argv)
+{
+  const unsigned first = argc > 1 ? static_cast<unsigned>(std::atoi(argv[1])) : 0;
+  const unsigned count = argc > 2 ? static_cast<unsigned>(std::atoi(argv[2])) : 1;
+  SaySeedWhenEnded();
+  int failed = 0, drawn = 0, refused = 0;
+  double longest = 0;
+  unsigned slowest = first;
+  for (unsigned seed = first; seed - first < count; ++seed)
+  {
+    Current = seed;
+    vtkMediumStress::FuzzedScene scene(seed);
+    for (int frame = 0; frame < vtkMediumStress::FuzzedScene::Frames; ++frame)
+    {
+      const auto start = std::chrono::steady_clock::now();
+      const std::string problem = scene.Frame(frame);
+      const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+      if (seconds.count() > longest)
+      {
+        longest = seconds.count();
+        slowest = seed;
+      }
+      ++(scene.WasRefused() ? refused : drawn);
+      if (!problem.empty())
+      {
+        std::cerr << "seed " << seed << ", frame " << frame << ": " << problem << "\n";
+        ++failed;
+      }
+    }
+  }
+  std::cout << count << " settings from seed " << first << ": " << drawn << " frames drawn, "
+            << refused << " refused, " << failed << " failed; the longest took " << longest
+            << " s (seed " << slowest << ")\n";
+  return failed > 0 || drawn == 0 || refused == 0 ? 1 : 0;
+}
