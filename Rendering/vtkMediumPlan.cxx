@@ -156,14 +156,8 @@ int vtkMediumPlan::CountLightIterations(bool paper) const
   {
     return 5; // one segment, and what a loop costs beyond its iterations
   }
-  if (this->ConstantExtinction && !paper)
-  {
-    return 4 + 1; // a loop, if over one segment only
-  }
   const int steps = paper ? 1 : LightTapsPerIteration; // an iteration
-  const int iterations = this->ConstantExtinction && !paper
-    ? 1
-    : static_cast<int>(std::ceil(1 / (this->LightStep * steps)));
+  const int iterations = static_cast<int>(std::ceil(1 / (this->LightStep * steps)));
   // A loop from look-up to look-up inside of another.
   return 4 + iterations +
     (this->CacheRoughness ? 4 * (iterations / this->LightLookUpEvery + 1) : 0);
