@@ -42,6 +42,11 @@ void vtkMediumFrame::BindTargets(int set)
   {
     this->Framebuffer->AddColorAttachment(target, this->Textures[set][target]);
   }
+  // One that an earlier frame left there, and that may be smaller, would clip this one.
+  for (int target = this->UsedTargets; target < Targets; ++target)
+  {
+    this->Framebuffer->RemoveColorAttachment(target);
+  }
   this->Framebuffer->ActivateDrawBuffers(this->UsedTargets);
 }
 

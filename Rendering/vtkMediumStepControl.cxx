@@ -15,10 +15,12 @@ constexpr double FinestStep = 1.0 / 16; // voxels
 // dense medium is resolved however large its voxels are.
 constexpr double CoarsestPart = 1.0 / 8;
 constexpr double FinestPart = 1.0 / 512;
-constexpr double ProbeSafety = 2;    // the worst pixel against the worst probe
+constexpr double StepSafety = 1.5;   // the worst pixel against the worst probe of many
+constexpr double CacheSafety = 2;    // the same, of few
 constexpr double SlowestOrder = 1.4; // least ratio of successive changes that is believed
 constexpr double SecondOrder = 4;
-constexpr double CacheShare = 0.75; // of the error, that caches may use up
+constexpr double CacheShare =
+  0.8; // of the error, that caches may use up; as squares add, 0.6 is left
 // What look-ups may err by along the volume's diagonal: at first, of the error that is asked for, since
 // they err to both sides; from then on as the error that it causes says.
 constexpr double FirstTolerance = 4;
@@ -48,13 +50,14 @@ glm::dvec3 FindAxis(const vtkMediumScene::View& eye)
 //------------------------------------------------------------------------------
 double vtkMediumStepControl::RelativeDifference(const Image& image, const Image& other)
 {
-  double largest = 0;
+  double radiance = 0, alpha = 0;
   for (std::size_t i = 0; i < other.size(); ++i)
   {
+    double& largest = i % 4 == 3 ? alpha : radiance;
     largest = std::max(largest, std::abs(double(other[i]) - image[i]));
   }
   const double peak = PeakOf(other);
-  return peak > 0 ? largest / peak : largest; // without light the image is its alpha alone
+  return std::max(alpha, peak > 0 ? radiance / peak : 0);
 }
 
 //------------------------------------------------------------------------------
@@ -88,11 +91,12 @@ void vtkMediumStepControl::Calibrate(
 {
   const vtkMediumSignature signature = vtkMediumSignature::OfContentAndLights(scene);
   const bool sameContent = signature == this->Signature;
-  if (!sameContent)
+  if (!sameContent || scene.Eye.LocalToClip != this->MarchedEye)
   {
-    this->Signature = signature;
     this->Marched.clear();
   }
+  this->Signature = signature;
+  this->MarchedEye = scene.Eye.LocalToClip;
   const bool sameLight =
     sameContent && maximumError == this->MaximumError && probes.Caches == this->Caches;
   if (!sameLight)
@@ -106,9 +110,10 @@ void vtkMediumStepControl::Calibrate(
   this->MaximumError = maximumError;
   this->Caches = probes.Caches;
   ++this->Calibrations;
-  this->FindStep(
-    maximumError - std::min(this->Lighting.Error, CacheShare * maximumError), voxel, probes);
-  this->Error += this->Lighting.Error;
+  // Errors of look-ups and of steps know nothing of each other: their squares add.
+  const double lit = std::min(this->Lighting.Error, CacheShare * maximumError);
+  this->FindStep(std::sqrt(maximumError * maximumError - lit * lit), voxel, probes);
+  this->Error = std::hypot(this->Error, this->Lighting.Error);
   this->Found.push_back({ scene.Eye.Origin, FindAxis(scene.Eye), this->Step, this->Error });
 }
 
@@ -129,7 +134,7 @@ void vtkMediumStepControl::FindLight(double maximumError, const Probes& probes)
     return;
   }
   auto errorOf = [&](const Light& light) {
-    return ProbeSafety * RelativeDifference(probes.InLight(light), this->Marched);
+    return CacheSafety * RelativeDifference(probes.InLight(light), this->Marched);
   };
   Light light;
   light.Method = vtkMediumPlan::LookUp;
@@ -171,16 +176,19 @@ void vtkMediumStepControl::FindStep(double maximumError, double voxel, const Pro
   {
     step *= 0.5;
     Image fine = probes.InSteps(this->Lighting, step);
-    const double relative = RelativeDifference(coarse, fine);
+    const double change = RelativeDifference(coarse, fine);
+    // Where all rays meet a kink alike, two steps may err by the same and seem not to differ at all: more
+    // than a method of second order gains by a halving is not believed.
+    const double relative = std::max(change, before / SecondOrder);
     ratio = before > 0 && relative > 0
       ? std::min(std::max(before / relative, SlowestOrder), SecondOrder)
       : 2;
-    this->Error = ProbeSafety * relative / (ratio - 1);
+    this->Error = StepSafety * relative / (ratio - 1);
     if (this->Error <= maximumError || step <= finest)
     {
       break;
     }
-    before = relative;
+    before = change;
     coarse.swap(fine);
   }
   // Between this step and its double, the error grows with the order that was seen.

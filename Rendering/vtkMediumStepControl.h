@@ -6,8 +6,8 @@
  *
  * A few probe pixels are integrated at steps that halve, until what the last halving changed says that
  * the error is met: with changes d1 and then d2, the order shows in d1 / d2 and the error that is left
- * is about d2 / (d1 / d2 - 1) (Richardson). Probes miss the worst pixel of an image by up to a factor of
- * two, so twice that is held against the error. It is an estimate, never a bound.
+ * is about d2 / (d1 / d2 - 1) (Richardson). Probes miss the worst pixel of an image, so that more than
+ * that is held against the error. It is an estimate, never a bound.
  *
  * The error of light caches does not shrink with the step. It is found by marching light rays for a few
  * probes. Where it leaves too little room, light rays are marched until the caches are accurate enough,
@@ -71,7 +71,8 @@ public:
   /// Forgets what was found, because the probes could not be drawn.
   void Forget();
 
-  /// The largest difference of two images of the same pixels, as a fraction of the second's peak.
+  /// The largest difference of two images of the same pixels: of radiance, as a fraction of the second's
+  /// peak, or of alpha, whichever is greater.
   static double RelativeDifference(const Image& image, const Image& other);
 
   /// How light is to be found: the cheapest way whose error leaves room for that of the step.
@@ -100,7 +101,9 @@ private:
   double MaximumError = 0;
   CacheUses Caches = Never;
   Light Lighting;
-  Image Marched; ///< InLight with marched light rays, for this signature; empty: not asked for yet
+  /// InLight with marched light rays, for this signature and eye; empty: not asked for yet.
+  Image Marched;
+  glm::dmat4 MarchedEye{ 0 };
   double LookUpError = 0; ///< of plain look-ups, where Marched is known
   double Step = 0;
   double Error = 0;

@@ -221,3 +221,17 @@ TEST(Windows, AWindowThatIsGoneLeavesTheOtherWhole)
   }
   EXPECT_TRUE(scene.Errors.empty());
 }
+
+//------------------------------------------------------------------------------
+// Exact carries its march from draw to draw in an image more than FixedStep has.
+TEST(Windows, GrowsFromAMarchThatIsCarriedToOneThatIsNot)
+{
+  const int larger = 3 * Side;
+  BallScene fresh(larger), grown(Side, vtkSingleScatteringVolumeMapper::Exact);
+  fresh.Render();
+  grown.Render();
+  grown.Window->SetSize(larger, larger);
+  grown.Mapper->SetIntegrator(vtkSingleScatteringVolumeMapper::FixedStep);
+  grown.Render();
+  EXPECT_LT(Difference(fresh.Frames.back(), grown.Frames.back()), SameRays);
+}

@@ -65,7 +65,7 @@ vtkMediumStepControl::Probes Caches(double lookUp, double marched, double least,
 }
 
 //------------------------------------------------------------------------------
-// Twice the worst probe's error must meet the maximum, and the step must not be much finer than that.
+// More than the worst probe's error must meet the maximum, and the step must not be much finer than that.
 TEST(StepControl, MeetsTheErrorWithoutWaste)
 {
   for (double order : { 1.0, 2.0 })
@@ -219,5 +219,21 @@ TEST(StepControl, AsksForTheErrorOfLookUpsOnce)
   control.Calibrate(MakeScene(), 1.0 / 255, Voxel, probes);
   EXPECT_EQ(asked, 2) << "marched, and looked up";
   control.Calibrate(MakeScene(), 0.5 / 255, Voxel, probes);
-  EXPECT_EQ(asked, 2) << "kept while content and lights are the same";
+  EXPECT_EQ(asked, 2) << "kept while content, lights and eye are the same";
+  vtkMediumScene turned = MakeScene();
+  turned.Eye.LocalToClip[0][1] = 0.1;
+  control.Calibrate(turned, 1.0 / 255, Voxel, probes);
+  EXPECT_EQ(asked, 4) << "another eye sees another image";
+}
+
+//------------------------------------------------------------------------------
+// A dim medium hides what is behind it: the error of alpha counts, but not by the peak of its radiance.
+TEST(StepControl, MeasuresAlphaByItself)
+{
+  const Image dim = { 0.01f, 0.01f, 0.01f, 0.5f }, denser = { 0.01f, 0.01f, 0.01f, 0.501f };
+  EXPECT_NEAR(vtkMediumStepControl::RelativeDifference(denser, dim), 0.001, 1e-6);
+  const Image brighter = { 0.0101f, 0.01f, 0.01f, 0.5f };
+  EXPECT_NEAR(vtkMediumStepControl::RelativeDifference(brighter, dim), 0.01, 1e-6);
+  const Image dark = { 0, 0, 0, 0.5f }, black = { 0, 0, 0, 0.6f };
+  EXPECT_NEAR(vtkMediumStepControl::RelativeDifference(black, dark), 0.1, 1e-6);
 }
