@@ -23,10 +23,10 @@ constexpr double CacheShare =
   0.8; // of the error, that caches may use up; as squares add, 0.6 is left
 // What look-ups may err by along the volume's diagonal: at first, of the error that is asked for, since
 // they err to both sides; from then on as the error that it causes says.
-constexpr double FirstTolerance = 4;
-constexpr double ToleranceOrder = 1.2;
-constexpr double MostOfTolerance = 0.5;
-constexpr int Tolerances = 5;
+constexpr double FirstTolerance = 16;
+constexpr double ToleranceOrder = 0.8;
+constexpr double MostOfTolerance = 0.6;
+constexpr int Tolerances = 7;
 constexpr std::size_t MostFound = 16;
 
 //------------------------------------------------------------------------------
