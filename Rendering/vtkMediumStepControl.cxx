@@ -13,8 +13,8 @@ constexpr double CoarsestStep = 8;      // voxels
 constexpr double FinestStep = 1.0 / 16; // voxels
 // The same for a lattice of few voxels, in diagonals of the box: several steps differ from one, and a
 // dense medium is resolved however large its voxels are.
-constexpr double CoarsestPart = 1.0 / 8;
-constexpr double FinestPart = 1.0 / 512;
+constexpr double CoarsestPart = 1.0 / 16;
+constexpr double FinestPart = 1.0 / 1024;
 constexpr double StepSafety = 1.5;   // the worst pixel against the worst probe of many
 constexpr double CacheSafety = 2;    // the same, of few
 constexpr double SlowestOrder = 1.4; // least ratio of successive changes that is believed
