@@ -42,9 +42,12 @@ std::string vtkMediumAccelerator::Update(
   if (occupancy != this->BrickSignature)
   {
     this->Bricks.Build(scene, this->Grid);
+    this->EmptyBricks.Build(this->Bricks);
+    this->EmptyTexture->ReleaseGraphicsResources(window);
     this->BrickSignature = occupancy;
     ++this->BrickBuilds;
   }
+  this->UploadEmptyBricks();
   if (plan.CachedLights > 0 && !this->UpdateCaches(scene, plan))
   {
     const glm::ivec3& size = this->Grid.GetDimensions();
@@ -55,6 +58,22 @@ std::string vtkMediumAccelerator::Update(
     return text.str();
   }
   return {};
+}
+
+//------------------------------------------------------------------------------
+void vtkMediumAccelerator::UploadEmptyBricks()
+{
+  vtkTextureObject* texture = this->EmptyTexture;
+  if (texture->GetHandle())
+  {
+    return;
+  }
+  const glm::ivec3 count = this->Bricks.GetCount();
+  std::vector<unsigned char> reaches = this->EmptyBricks.GetReaches(); // VTK wants it writable
+  texture->SetContext(this->Window);
+  texture->SetMinificationFilter(vtkTextureObject::Nearest);
+  texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+  texture->Create3DFromRaw(count.x, count.y, count.z, 1, VTK_UNSIGNED_CHAR, reaches.data());
 }
 
 //------------------------------------------------------------------------------
@@ -190,6 +209,13 @@ void vtkMediumAccelerator::Activate(vtkShaderProgram* program, const vtkMediumPl
   if (plan.UseBricks)
   {
     activate(this->TileTexture, "tiles");
+    activate(this->EmptyTexture, "emptyBricks");
+    const glm::dvec3& lower = this->Grid.GetLower();
+    const glm::vec3 scale((this->Grid.GetUpper() - lower) / double(vtkMediumBricks::Edge));
+    const glm::vec3 bias(lower / double(vtkMediumBricks::Edge));
+    program->SetUniform3f("boxToBricksScale", &scale[0]);
+    program->SetUniform3f("boxToBricksBias", &bias[0]);
+    program->SetUniformf("eyeLeapsFrom", plan.LeapEyeSteps ? 0.0f : 1e30f);
   }
   for (int group = 0; group < plan.GetCacheTextures(); ++group)
   {
@@ -226,6 +252,7 @@ void vtkMediumAccelerator::ReleaseGraphicsResources(vtkWindow* window)
   }
   this->CacheTextures.clear();
   this->TileTexture->ReleaseGraphicsResources(window);
+  this->EmptyTexture->ReleaseGraphicsResources(window);
 }
 
 //------------------------------------------------------------------------------

@@ -13,6 +13,7 @@
 
 #include "vtkMediumBricks.h"
 #include "vtkMediumCompatibility.h"
+#include "vtkMediumEmptyBricks.h"
 #include "vtkMediumExtinctionGrid.h"
 #include "vtkMediumLightCache.h"
 #include "vtkMediumPlan.h"
@@ -66,6 +67,7 @@ private:
   };
 
   void UpdateGrid(const vtkMediumScene& scene, const vtkMediumPlan& plan);
+  void UploadEmptyBricks();
   bool UpdateCaches(const vtkMediumScene& scene, const vtkMediumPlan& plan);
   bool UploadGroup(int group, const vtkMediumPlan& plan);
 
@@ -75,12 +77,14 @@ private:
   vtkMediumSignature BrickSignature;
   vtkMediumExtinctionGrid Grid;
   vtkMediumBricks Bricks;
+  vtkMediumEmptyBricks EmptyBricks;
   std::vector<std::unique_ptr<CachedLight>> Lights;
   std::vector<vtkSmartPointer<vtkTextureObject>> CacheTextures;
   int CachedLights = 0;           ///< as uploaded
   bool CachedRoughness = false;   ///< as uploaded
   double CachedDensityScale = -1; ///< as uploaded
   vtkNew<vtkTextureObject> TileTexture;
+  vtkNew<vtkTextureObject> EmptyTexture;
   glm::ivec4 Scissor{ 0 };
   std::size_t BricksCutAway = 0;
   std::vector<vtkTextureObject*> Active;

@@ -300,6 +300,10 @@ void vtkMediumPlan::ChooseShaderFiles(const vtkMediumScene& scene, int integrato
       break;
     default:
       add({ "Content" });
+      if (this->UseBricks)
+      {
+        add({ "EmptyBricks" });
+      }
       if (this->Lit)
       {
         this->ChooseLightFiles();

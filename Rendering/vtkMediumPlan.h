@@ -94,6 +94,8 @@ public:
   static constexpr int MostCachedLights = MostCacheTextures * CacheChannels;
   /// Pixels along the edge of a tile.
   static constexpr int TileEdge = 8;
+  /// Voxels; longer steps of eye rays do not ask for empty bricks, which costs as much as a step.
+  static constexpr double LongestLeaptStep = 2;
   /// Exact: what a part of a cell may be off by, of the radiance so far.
   static constexpr double ExactTolerance = 4e-6;
   /// Exact: parts of a cell in which a field counts as linear where a function maps it.
@@ -112,7 +114,8 @@ public:
   /// Empty, or why the frame cannot be drawn right: what was found, expected, and what to do.
   std::string Refusal;
 
-  bool UseBricks = false; ///< eye rays keep to the tiles that bricks were projected to
+  bool UseBricks = false;    ///< eye rays keep to the tiles that bricks were projected to
+  bool LeapEyeSteps = false; ///< and leap the empty bricks between; light rays always do
   int CachedLights = 0; ///< the first so many lights have a light cache; 0: light rays are marched
   bool QuickCaches = false; ///< light caches are built quickly rather than exactly
   bool CutCaches = false; ///< light caches are those of what a cut leaves, not of the whole volume

@@ -12,6 +12,7 @@ void vtkMediumPlan::PlanErrorControlled(const vtkMediumScene& scene, const Setti
   this->UseBricks = true;
   const double voxel = scene.Geometry.VoxelLength / scene.Geometry.Length;
   this->EyeStep = settings.ControlledStep > 0 ? settings.ControlledStep : voxel;
+  this->LeapEyeSteps = this->EyeStep <= LongestLeaptStep * voxel;
   this->LightStep = settings.ControlledLightStep > 0 ? settings.ControlledLightStep : this->EyeStep;
 
   // A cache holds one grey optical depth for each lattice point, looked up trilinearly. That of the

@@ -312,6 +312,7 @@ void vtkMediumRenderer::CountWork(const vtkMediumPlan& plan, vtkMediumStatistics
   statistics->FramesReused += this->Reused ? 1 : 0;
   statistics->Passes = this->Reused ? 0 : this->Frame.GetDraws();
   statistics->PixelEdge = this->Frame.GetViewport().PixelEdge;
+  statistics->EyeStep = plan.EyeStep * this->Scene.Geometry.Length;
   statistics->LightMethod = plan.CachedLights == 0 ? vtkMediumStatistics::LightMarched
     : plan.CacheRoughness                          ? vtkMediumStatistics::LightMarchedToItsCache
                                                    : vtkMediumStatistics::LightLookedUp;

@@ -20,6 +20,7 @@ void vtkMediumStatistics::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FramesReused: " << this->FramesReused << "\n";
   os << indent << "Passes: " << this->Passes << "\n";
   os << indent << "PixelEdge: " << this->PixelEdge << "\n";
+  os << indent << "EyeStep: " << this->EyeStep << "\n";
   os << indent << "LightMethod: " << this->LightMethod << "\n";
   os << indent << "CountTaps: " << (this->CountTaps ? "On" : "Off") << "\n";
   os << indent << "Taps: " << this->Taps << "\n";

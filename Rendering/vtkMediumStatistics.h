@@ -42,6 +42,10 @@ public:
   /// Of the last frame: pixels of the window that shared an eye ray, along each axis.
   vtkGetMacro(PixelEdge, double);
 
+  /// Of the last frame: the longest that a step of an eye ray may have been, world units; what
+  /// ErrorControlled found.
+  vtkGetMacro(EyeStep, double);
+
   /// How the last frame found the transmittance to a light.
   enum LightMethods
   {
@@ -101,6 +105,7 @@ private:
   vtkTypeInt64 Passes = 0;
   int LightMethod = LightMarched;
   double PixelEdge = 1;
+  double EyeStep = 0;
   double GatherMilliseconds = 0;
   double UploadMilliseconds = 0;
   double BuildMilliseconds = 0;

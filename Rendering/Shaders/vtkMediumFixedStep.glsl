@@ -23,6 +23,24 @@ SPECTRUM fixedStepSegment(EyeRay ray, vec2 segment, SPECTRUM before, inout Frame
   return depth;
 }
 
+#ifndef TILES
+#define eyeLeapsFrom 0.0
+#endif
+// The step after step i, which had an optical depth.
+int fixedStepNext(EyeRay ray, KeptSteps steps, int i, SPECTRUM depth, inout float asked)
+{
+#ifdef TILES
+  if (depth == SPECTRUM(0.0))
+  {
+    vec2 segment = keptStep(steps, i);
+    float middle = segment.x + 0.5 * segment.y;
+    return emptyBricksNext(steps, i, middle, frameBoxPoint(ray.origin + middle * ray.direction),
+      frameBoxDirection(ray.direction), asked);
+  }
+#endif
+  return i + 1;
+}
+
 void main()
 {
   EyeRay ray = eyeRay();
@@ -36,19 +54,19 @@ void main()
   // Optical depths are summed in blocks, so that rounding does not build up over a long march.
   SPECTRUM blocks = SPECTRUM_OF(firstStep == 0 ? vec3(0.0) : state.march.rgb);
   SPECTRUM block = SPECTRUM(0.0);
-  for (int i = firstStep; i < min(lastStep, steps.count); ++i)
+  int i = firstStep;
+  float asked = eyeLeapsFrom;
+  while (i < min(lastStep, steps.count) && !outputIsOver(blocks + block, state))
   {
-    SPECTRUM before = blocks + block;
-    if (outputIsOver(before, state))
-    {
-      break;
-    }
-    block += fixedStepSegment(ray, keptStep(steps, i), before, state);
+    vec2 segment = keptStep(steps, i);
+    SPECTRUM depth = fixedStepSegment(ray, segment, blocks + block, state);
+    block += depth;
     if (i % 64 == 63)
     {
       blocks += block;
       block = SPECTRUM(0.0);
     }
+    i = fixedStepNext(ray, steps, i, depth, asked);
   }
   SPECTRUM total = blocks + block;
   state.march = vec4(vec3(total), 0.0);

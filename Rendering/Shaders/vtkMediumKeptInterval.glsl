@@ -59,3 +59,9 @@ vec2 keptStep(KeptSteps steps, int i)
 {
   return vec2(steps.begin + float(i) * steps.width, steps.width);
 }
+
+// The step that t lies in; the number of steps behind the last.
+int keptStepAt(KeptSteps steps, float t)
+{
+  return int(clamp((t - steps.begin) / steps.width, 0.0, float(steps.count)));
+}

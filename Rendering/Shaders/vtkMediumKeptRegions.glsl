@@ -131,3 +131,11 @@ vec2 keptStep(KeptSteps steps, int i)
   return vec2(
     steps.begin[part] + (number - steps.first[part]) * steps.width[part], steps.width[part]);
 }
+
+// The step that t lies in, or the first behind it; the number of steps behind the last.
+int keptStepAt(KeptSteps steps, float t)
+{
+  vec4 counts = vec4(steps.first.yzw, float(steps.count)) - steps.first;
+  vec4 before = clamp((vec4(t) - steps.begin) / max(steps.width, 1.0e-30), vec4(0.0), counts);
+  return int(dot(before, vec4(1.0)));
+}

@@ -32,13 +32,13 @@ float lightTransmittance(int number, vec3 point, Light light)
   float passed = 1.0; // transmittance of the marched part
   vec2 rest = steps.count > 0 ? lightMarchLookUp(number, start) : vec2(1.0, 0.0);
   int i = 0;
+  float asked = 0.0;
   while (i < steps.count && passed * rest.y * lightImportance > lightTolerance)
   {
     int last = min(i + lightLookUpEvery, steps.count);
-    COUNT((last - i) * LIGHT_TAPS);
-    for (; i < last; ++i)
+    while (i < last)
     {
-      sum += lightSteps(start, along, keptStep(steps, i));
+      sum += lightStepsFrom(start, along, steps, i, asked);
     }
     passed = transmittance(sum);
     rest = i < steps.count

@@ -10,10 +10,11 @@ SPECTRUM lightTransmittance(int number, vec3 point, Light light)
   float span = min(rayBox(start, along).y, light.distance);
   KeptSteps steps = keptSteps(keptOf(point, light.direction, span), LIGHT_STEPS_LONGEST);
   SPECTRUM sum = SPECTRUM(0.0);
-  for (int i = 0; i < steps.count; ++i)
+  int i = 0;
+  float asked = 0.0;
+  while (i < steps.count)
   {
-    sum += lightSteps(start, along, keptStep(steps, i));
+    sum += lightStepsFrom(start, along, steps, i, asked);
   }
-  COUNT(steps.count * LIGHT_STEPS_LOOK_UPS);
   return transmittance(sum);
 }

@@ -32,5 +32,23 @@ SPECTRUM lightSteps(vec3 start, vec3 along, vec2 segment)
   LIGHT_STEPS_TAP(1)
   LIGHT_STEPS_TAP(2)
   LIGHT_STEPS_TAP(3)
+  COUNT(LIGHT_STEPS_LOOK_UPS);
   return part * width;
+}
+
+// The optical depth of segment i; i becomes the next segment that may have any. `asked` is until where it is
+// known whether bricks are empty, 0 at first.
+SPECTRUM lightStepsFrom(vec3 start, vec3 along, KeptSteps steps, inout int i, inout float asked)
+{
+  vec2 segment = keptStep(steps, i);
+  SPECTRUM part = lightSteps(start, along, segment);
+#ifdef TILES
+  if (part == SPECTRUM(0.0))
+  {
+    i = emptyBricksNext(steps, i, segment.x, start + segment.x * along, along, asked);
+    return part;
+  }
+#endif
+  ++i;
+  return part;
 }

@@ -4,7 +4,6 @@
 #define BrickSetting_h
 
 #include "vtkMediumBricks.h"
-#include "vtkMediumEmptyDistance.h"
 #include "vtkMediumExtinctionGrid.h"
 #include "vtkMediumFixtures.h"
 

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Leaping empty space changes what a frame costs and not what it shows: ErrorControlled without caches
+// beside FixedStep, which leaps nothing, in the step that the former found.
+#include "CutScene.h"
+
+using namespace vtkMediumTest;
+
+namespace
+{
+constexpr int Few = 57, Many = 113; // seven and fourteen bricks along each edge
+
+/// Data that leaping could get wrong, by lattice point.
+struct Data
+{
+  const char* Name;
+  double (*Of)(const glm::ivec3& at);
+};
+
+void PrintTo(const Data& data, std::ostream* os)
+{
+  *os << data.Name;
+}
+
+const Data AllData[] = {
+  { "HotVoxelOnABrickBorder",
+    [](const glm::ivec3& at) { return at == glm::ivec3(24, 32, 24) ? 1.0 : 0.0; } },
+  { "HotVoxelInsideOfABrick",
+    [](const glm::ivec3& at) { return at == glm::ivec3(27, 29, 20) ? 1.0 : 0.0; } },
+  { "CheckerboardInABall",
+    [](const glm::ivec3& at) {
+      return glm::length(glm::dvec3(at) - 30.0) < 9 && (at.x + at.y + at.z) % 2 ? 1.0 : 0.0;
+    } },
+  { "ShellOfOneVoxel",
+    [](const glm::ivec3& at) {
+      return std::abs(glm::length(glm::dvec3(at) - 28.0) - 18) < 0.5 ? 1.0 : 0.0;
+    } },
+  { "TwoSheets", [](const glm::ivec3& at) { return at.x == 8 || at.y == 40 ? 1.0 : 0.0; } },
+};
+
+/// The same everywhere but for cuts along z, as the tests below need it.
+const Cut AllCuts[] = {
+  { "Whole", [](Scene&) {} },
+  { "Plane",
+    [](Scene& scene) {
+      AddPlane(scene, { -1, 0.6, 0 }, { 0.21, 0, 0 });
+    } },
+  { "CroppedToARing",
+    [](Scene& scene) {
+      scene.Mapper->CroppingOn();
+      scene.Mapper->SetCroppingRegionPlanes(-0.2, 0.13, -0.11, 0.17, -2, 2);
+      scene.Mapper->SetCroppingRegionFlags(~(VTK_CROP_SUBVOLUME) & ((1 << 27) - 1));
+    } },
+};
+
+/// The data between two sheets of haze, in which all eye rays begin and end: both integrators then take
+/// their samples at the same places.
+struct LeapScene : Scene
+{
+  explicit LeapScene(const Data& data, int points = Few, bool haze = true)
+    : Scene(MakeImage(glm::ivec3(points), glm::dvec3(1),
+              [&](const glm::dvec3& p) {
+                const glm::ivec3 at(glm::round((p + 0.5) * double(points - 1)));
+                const bool sheet = haze && (at.z == 0 || at.z == points - 1);
+                return sheet ? 0.01 : data.Of(at);
+              }),
+        40)
+  {
+    this->Mapper->SetIntegratorToErrorControlled();
+    this->Mapper->SetLightCachesToNever();
+    this->Mapper->SetMaximumError(0.01);
+    this->Mapper->SetTransmittanceThreshold(0);
+    this->Mapper->GetStatistics()->CountTapsOn();
+    this->Medium->SetExtinctionArrayName("");
+    this->Medium->SetExtinctionScale(40);
+    this->LookParallel({ 0, 0, -1 }, 2, 0.52);
+    this->AddBeam({ 1, -0.8, -0.2 });
+    this->AddPointLight({ 0.9, 0.6, 0.4 });
+  }
+
+  /// In the step that ErrorControlled has found.
+  Picture RenderPlainly()
+  {
+    const double step = this->Mapper->GetStatistics()->GetEyeStep();
+    this->Mapper->SetIntegratorToFixedStep();
+    this->SetSteps(step, step);
+    return this->Render();
+  }
+};
+
+struct LeapsTest : testing::TestWithParam<std::tuple<Data, Cut>>
+{
+};
+}
+
+TEST_P(LeapsTest, ShowWhatStepsShow)
+{
+  LeapScene scene(std::get<0>(GetParam()));
+  std::get<1>(GetParam()).Apply(scene);
+  vtkMediumStatistics* statistics = scene.Mapper->GetStatistics();
+  const Picture leapt = scene.Render();
+  const vtkTypeInt64 taps = statistics->GetTaps();
+  EXPECT_GT(statistics->GetBricksLeapt(), 0);
+  const Picture plain = scene.RenderPlainly();
+  ASSERT_TRUE(plain.IsLight());
+  ASSERT_TRUE(scene.Errors.empty());
+  EXPECT_LT(Difference(leapt, plain), 2e-6) << "of a picture whose alpha is up to 1";
+  EXPECT_LE(taps, statistics->GetTaps());
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, LeapsTest,
+  testing::Combine(testing::ValuesIn(AllData), testing::ValuesIn(AllCuts)),
+  [](const auto& parameters) {
+    return std::string(std::get<0>(parameters.param).Name) + std::get<1>(parameters.param).Name;
+  });
+
+// A ball: 95 in 100 voxels are empty.
+TEST(Leaps, TakeAnEighthOfTheTapsWhereAlmostAllIsEmpty)
+{
+  const Data ball = { "Ball",
+    [](const glm::ivec3& at) { return glm::length(glm::dvec3(at) - 52.0) < 26 ? 1.0 : 0.0; } };
+  for (bool lit : { false, true })
+  {
+    LeapScene scene(ball, Many, false);
+    scene.Mapper->SetLightCachesToWhereAccurate();
+    lit ? scene.Mapper->SetOutputToRadiance() : scene.Mapper->SetOutputToOpticalDepth();
+    vtkDataArray* density = scene.Mapper->GetInput()->GetPointData()->GetScalars();
+    const vtkIdType voxels = density->GetNumberOfTuples();
+    vtkIdType empty = 0;
+    for (vtkIdType i = 0; i < voxels; ++i)
+    {
+      empty += density->GetComponent(i, 0) == 0;
+    }
+    ASSERT_NEAR(static_cast<double>(empty) / voxels, 0.95, 0.005);
+    scene.Render();
+    const vtkTypeInt64 taps = scene.Mapper->GetStatistics()->GetTaps();
+    scene.RenderPlainly();
+    const vtkTypeInt64 plain = scene.Mapper->GetStatistics()->GetTaps();
+    EXPECT_LT(8 * taps, plain) << taps << " of " << plain;
+  }
+}
