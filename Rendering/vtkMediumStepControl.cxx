@@ -19,8 +19,9 @@ constexpr double StepSafety = 1.5;   // the worst pixel against the worst probe 
 constexpr double CacheSafety = 2;    // the same, of few
 constexpr double SlowestOrder = 1.4; // least ratio of successive changes that is believed
 constexpr double SecondOrder = 4;
-constexpr double CacheShare =
-  0.8; // of the error, that caches may use up; as squares add, 0.6 is left
+// Of the error, that look-ups may use up: alone, and where light rays are marched to them.
+constexpr double CacheShare = 0.75;
+constexpr double MarchedShare = 0.5;
 // What look-ups may err by along the volume's diagonal: at first, of the error that is asked for, since
 // they err to both sides; from then on as the error that it causes says.
 constexpr double FirstTolerance = 16;
@@ -110,10 +111,9 @@ void vtkMediumStepControl::Calibrate(
   this->MaximumError = maximumError;
   this->Caches = probes.Caches;
   ++this->Calibrations;
-  // Errors of look-ups and of steps know nothing of each other: their squares add.
   const double lit = std::min(this->Lighting.Error, CacheShare * maximumError);
-  this->FindStep(std::sqrt(maximumError * maximumError - lit * lit), voxel, probes);
-  this->Error = std::hypot(this->Error, this->Lighting.Error);
+  this->FindStep(maximumError - lit, voxel, probes);
+  this->Error += this->Lighting.Error;
   this->Found.push_back({ scene.Eye.Origin, FindAxis(scene.Eye), this->Step, this->Error });
 }
 
@@ -151,7 +151,7 @@ void vtkMediumStepControl::FindLight(double maximumError, const Probes& probes)
   }
   light.Method = vtkMediumPlan::MarchThenLookUp;
   light.Tolerance = FirstTolerance * maximumError * PeakOf(this->Marched);
-  const double room = CacheShare * maximumError;
+  const double room = MarchedShare * maximumError;
   for (int i = 0; i < Tolerances; ++i)
   {
     light.Error = errorOf(light);
