@@ -75,6 +75,45 @@ std::string CheckSamples(const vtkMediumFunction& function)
 }
 
 //------------------------------------------------------------------------------
+// Whether a gradient opacity other than 1 is in use; no medium is weaker where its density is even.
+bool HasGradientOpacity(vtkVolumeProperty* property)
+{
+  const bool used = property->HasGradientOpacity() && !property->GetDisableGradientOpacity();
+  vtkPiecewiseFunction* opacity = used ? property->GetStoredGradientOpacity() : nullptr;
+  double node[4];
+  for (int i = 0; opacity && i < opacity->GetSize(); ++i)
+  {
+    opacity->GetNodeValue(i, node);
+    if (node[1] != 1)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+// "" or which setting of the property has no meaning for a medium and would be left out in silence.
+std::string CheckModes(vtkVolumeProperty* property)
+{
+  if (property->GetTransferFunctionMode() != vtkVolumeProperty::TF_1D)
+  {
+    return "The volume property has a two-dimensional transfer function, of the scalar and its "
+           "gradient, but a medium depends on the scalar alone; set functions of one dimension "
+           "(SetTransferFunctionMode(vtkVolumeProperty::TF_1D), SetScalarOpacity, SetColor).";
+  }
+  if (HasGradientOpacity(property))
+  {
+    return "The volume property has a gradient opacity other than 1, but a medium does not depend "
+           "on "
+           "gradients; switch it off (DisableGradientOpacityOn), or give its effect as an array to "
+           "a "
+           "vtkParticipatingMedium.";
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
 // Nodes are (value, ..., midpoint, sharpness); the curve bends or jumps at the midpoint unless both
 // have their defaults, 0.5 and 0.
 template <typename Function>
@@ -157,6 +196,11 @@ std::string vtkMediumContentFromProperty(vtkMediumScene::Medium& content,
     problem << "The anisotropy is " << anisotropy
             << "; set a mean cosine in [-1, 1] (values beyond +-0.999 are taken as +-0.999).";
     return problem.str();
+  }
+  const std::string mode = CheckModes(property);
+  if (!mode.empty())
+  {
+    return mode;
   }
   if (scalars->GetNumberOfComponents() != 1)
   {

@@ -5,6 +5,7 @@
 #include "BadInput.h"
 
 #include "vtkMatrix4x4.h"
+#include "vtkPiecewiseFunction.h"
 #include "vtkPolyData.h"
 
 using namespace vtkMediumTest;
@@ -187,6 +188,32 @@ TEST_F(BadInput, OtherBlendModesAreRefused)
       [mode](Scene& scene) { scene.Mapper->SetBlendMode(mode); },
       [](Scene& scene) { scene.Mapper->SetBlendModeToComposite(); });
   }
+}
+
+TEST_F(BadInput, GradientsThatNoMediumKnowsAreRefused)
+{
+  auto mend = [](Scene& scene) {
+    scene.Mapper->SetMedium(scene.Medium);
+    scene.Property->DisableGradientOpacityOn();
+  };
+  ExpectRefusal(
+    { "gradient opacity", "DisableGradientOpacityOn" },
+    [](Scene& scene) {
+      vtkNew<vtkPiecewiseFunction> edges;
+      edges->AddPoint(0, 0);
+      edges->AddPoint(1, 1);
+      scene.Property->SetGradientOpacity(edges);
+      scene.Property->DisableGradientOpacityOff();
+      scene.Mapper->SetMedium(nullptr);
+    },
+    mend);
+  ExpectRefusal(
+    { "two-dimensional", "TF_1D" },
+    [](Scene& scene) {
+      scene.Property->SetTransferFunctionMode(vtkVolumeProperty::TF_2D);
+      scene.Mapper->SetMedium(nullptr);
+    },
+    mend);
 }
 
 TEST_F(BadInput, SingularMatrixIsRefused)
