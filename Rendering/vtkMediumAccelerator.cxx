@@ -206,7 +206,7 @@ void vtkMediumAccelerator::Activate(vtkShaderProgram* program, const vtkMediumPl
     program->SetUniformi(name.c_str(), texture->GetTextureUnit());
     this->Active.push_back(texture);
   };
-  if (plan.UseBricks)
+  if (plan.UseTiles)
   {
     activate(this->TileTexture, "tiles");
     activate(this->EmptyTexture, "emptyBricks");

@@ -3,6 +3,8 @@
 #include "vtkMediumFrame.h"
 
 #include "vtkMediumCutUniforms.h"
+#include "vtkMediumDrawState.h"
+#include "vtkMediumUserCode.h"
 
 #include "vtkMediumOpenGL.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -47,12 +49,12 @@ void SetUniform(vtkShaderProgram* program, const char* name, const glm::ivec2& v
 
 //------------------------------------------------------------------------------
 std::string vtkMediumFrame::Begin(
-  vtkOpenGLRenderWindow* window, const Viewport& viewport, bool carry, bool copyDepth)
+  vtkOpenGLRenderWindow* window, const Viewport& viewport, bool carry, bool copyDepth, bool finish)
 {
   this->Window = window;
   this->View = viewport;
   this->UsedTargets = carry ? Targets : Targets - 1;
-  this->UsedSets = carry ? 2 : 1;
+  this->UsedSets = carry || finish ? 2 : 1;
   this->Result = 0;
   const unsigned int width = viewport.GetRays().x, height = viewport.GetRays().y;
   const int filter = viewport.PixelEdge > 1 ? vtkTextureObject::Linear : vtkTextureObject::Nearest;
@@ -99,6 +101,7 @@ void vtkMediumFrame::SetFrameUniforms(
   std::copy(&axes[0][0], &axes[0][0] + 9, rows);
   program->SetUniformMatrix3x3("localToBoxAxes", rows);
   SetUniform(program, "localToBoxOrigin", box.LocalToBoxOrigin);
+  SetUniform(program, "worldLength", box.Length);
   SetUniform(program, "eyeStep", plan.EyeStep);
   SetUniform(program, "lightStep", plan.LightStep);
   SetUniform(program, "transmittanceThreshold", plan.TransmittanceThreshold);
@@ -160,26 +163,13 @@ bool vtkMediumFrame::Integrate(vtkMediumProgram& programs, vtkMediumTextures& te
   this->Complete = false;
   const glm::ivec2 rays = this->View.GetRays();
   vtkOpenGLState* state = this->Window->GetState();
-  vtkShaderProgram* program = programs.Use(this->Window, plan.ShaderFiles, plan.ShaderDefines);
+  vtkShaderProgram* program =
+    programs.Use(this->Window, plan.ShaderFiles, plan.ShaderDefines, plan.UserCode.get());
   if (!program)
   {
     return false;
   }
-  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
-  vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
-  vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
-  vtkOpenGLState::ScopedglEnableDisable cull(state, GL_CULL_FACE);
-  vtkOpenGLState::ScopedglDepthMask depthMask(state);
-  vtkOpenGLState::ScopedglColorMask colorMask(state);
-  vtkOpenGLState::ScopedglViewport viewport(state);
-  vtkOpenGLState::ScopedglScissor scissor(state);
-  state->vtkglDisable(GL_DEPTH_TEST);
-  state->vtkglDisable(GL_BLEND);
-  state->vtkglDisable(GL_SCISSOR_TEST);
-  state->vtkglDisable(GL_CULL_FACE);
-  state->vtkglDepthMask(GL_FALSE);
-  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  state->vtkglViewport(0, 0, rays.x, rays.y);
+  const vtkMediumDrawState plain(state, rays);
 
   this->Draws = 0;
   state->PushFramebufferBindings();
@@ -188,7 +178,7 @@ bool vtkMediumFrame::Integrate(vtkMediumProgram& programs, vtkMediumTextures& te
     this->ClearTargets(set);
   }
   glm::ivec4 seen = vtkMediumPlan::FindScissor(scene.Eye, scene.Geometry, rays);
-  if (plan.UseBricks)
+  if (plan.UseTiles)
   {
     accelerator.ProjectTiles(scene, rays);
     seen = accelerator.GetScissor();
@@ -262,7 +252,7 @@ void vtkMediumFrame::DrawPass(
 {
   const int set = this->UsedSets - 1 - this->Result;
   const char* names[Targets] = { "carriedRadiance", "carriedHits", "carriedMarch" };
-  const int carried = this->UsedSets > 1 ? Targets : 0;
+  const int carried = this->UsedTargets == Targets ? Targets : 0;
   this->BindTargets(set);
   for (int target = 0; target < carried; ++target)
   {
@@ -281,49 +271,6 @@ void vtkMediumFrame::DrawPass(
   }
   this->Result = set;
   ++this->Draws;
-}
-
-//------------------------------------------------------------------------------
-bool vtkMediumFrame::Show(vtkMediumProgram& programs, const Shown& shown, vtkMediumFrame& coarser)
-{
-  vtkOpenGLState* state = this->Window->GetState();
-  vtkShaderProgram* program = programs.Use(this->Window, { "Display" }, "");
-  if (!program)
-  {
-    return false;
-  }
-  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
-  vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
-  vtkOpenGLState::ScopedglEnableDisable cull(state, GL_CULL_FACE);
-  vtkOpenGLState::ScopedglDepthMask depthMask(state);
-  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(state);
-  state->vtkglDisable(GL_DEPTH_TEST);
-  state->vtkglDisable(GL_CULL_FACE);
-  state->vtkglEnable(GL_BLEND);
-  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  state->vtkglDepthMask(GL_FALSE);
-
-  vtkTextureObject* radiance = this->Textures[this->Result][0];
-  vtkTextureObject* hits = this->Textures[this->Result][1];
-  vtkTextureObject* other =
-    shown.Content == Shown::Error ? coarser.Textures[coarser.Result][0].Get() : radiance;
-  radiance->Activate();
-  hits->Activate();
-  other->Activate();
-  program->SetUniformi("coarserRadiance", other->GetTextureUnit());
-  program->SetUniformi("radiance", radiance->GetTextureUnit());
-  program->SetUniformi("hits", hits->GetTextureUnit());
-  program->SetUniformi("shown", shown.Content);
-  SetUniform(program, "nearest", shown.Nearest);
-  SetUniform(program, "scale", shown.Scale);
-  programs.Draw();
-  if (other != radiance)
-  {
-    other->Deactivate();
-  }
-  hits->Deactivate();
-  radiance->Deactivate();
-  return true;
 }
 
 //------------------------------------------------------------------------------

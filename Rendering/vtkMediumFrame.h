@@ -79,10 +79,11 @@ public:
   /// Told after each draw which part of the frame is integrated, 0 to 1; false stops there.
   using Progress = std::function<bool(double fraction)>;
 
-  /// Makes the targets and copies the depth of what is drawn already, or takes it that nothing is.
+  /// Makes the targets, of a march that is carried on or a frame that is finished if so, and copies
+  /// the depth of what is drawn already, or takes it that nothing is.
   /// Returns an empty string, or what the device could not do.
-  std::string Begin(
-    vtkOpenGLRenderWindow* window, const Viewport& viewport, bool carry, bool copyDepth);
+  std::string Begin(vtkOpenGLRenderWindow* window, const Viewport& viewport, bool carry,
+    bool copyDepth, bool finish = false);
 
   /// Integrates the plan's passes into the targets. False if the program does not compile.
   bool Integrate(vtkMediumProgram& programs, vtkMediumTextures& textures,
@@ -90,6 +91,9 @@ public:
     const Progress& progress = {});
   /// Whether the last Integrate went to its end.
   bool IsComplete() const { return this->Complete; }
+
+  /// Lets code of the user alter the integrated colour. False if the program does not compile.
+  bool Finish(vtkMediumProgram& programs, const vtkMediumScene& scene, const vtkMediumPlan& plan);
 
   /// Blends the result over the viewport; an Error is its difference from `coarser`. False if the
   /// program does not compile.

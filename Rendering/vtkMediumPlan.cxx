@@ -43,6 +43,7 @@ vtkMediumPlan::vtkMediumPlan(
   this->Fields = paper ? PaperFields(scene) : scene.Content.Fields;
   this->Validate(settings, device);
   this->ValidateCut(scene.Cut);
+  this->PlanUserCode(settings);
   if (!this->Refusal.empty())
   {
     return;
@@ -56,7 +57,8 @@ vtkMediumPlan::vtkMediumPlan(
     (settings.Output == Mapper::Depth && settings.DepthDefinition == Mapper::MeanScatteringDepth);
   // Distances and optical depths go through the whole volume, however thick it is.
   this->TransmittanceThreshold = gathers ? settings.TransmittanceThreshold : 0;
-  this->Lit = gathers && !scene.Lights.empty() && !scene.Content.Scattering.IsZero();
+  const bool scatters = scene.Content.Altered || !scene.Content.Scattering.IsZero();
+  this->Lit = gathers && !scene.Lights.empty() && scatters;
   if (paper)
   {
     this->PlanPaper(scene, settings);
@@ -247,7 +249,7 @@ void vtkMediumPlan::ChooseProgram(
     defines << vtkMediumStructure::ContentDefines(scene.Content);
     defines << "#define LIGHT_TAPS " << LightTapsPerIteration << "\n";
   }
-  if (this->UseBricks)
+  if (this->UseTiles)
   {
     defines << "#define TILES " << TileEdge << "\n";
   }
@@ -300,7 +302,7 @@ void vtkMediumPlan::ChooseShaderFiles(const vtkMediumScene& scene, int integrato
       break;
     default:
       add({ "Content" });
-      if (this->UseBricks)
+      if (this->UseTiles)
       {
         add({ "EmptyBricks" });
       }

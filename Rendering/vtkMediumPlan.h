@@ -13,8 +13,11 @@
 #include "vtkMediumScene.h"
 #include "vtkParticipatingMediaRenderingModule.h" // for the export macro
 
+#include <memory>
 #include <string>
 #include <vector>
+
+class vtkMediumUserCode;
 
 class VTKPARTICIPATINGMEDIARENDERING_EXPORT vtkMediumPlan
 {
@@ -49,6 +52,7 @@ public:
     double ControlledLightStep = 0; ///< ErrorControlled: of marched light rays; 0: the eye's
     double ControlledStep =
       0; ///< ErrorControlled: the step that was found, local units; 0: a voxel
+    std::shared_ptr<const vtkMediumUserCode> UserCode;    ///< null: none
     vtkTypeInt64 LightCacheBytes = vtkTypeInt64(1) << 30; ///< the most that light caches may take
   };
 
@@ -114,7 +118,8 @@ public:
   /// Empty, or why the frame cannot be drawn right: what was found, expected, and what to do.
   std::string Refusal;
 
-  bool UseBricks = false;    ///< eye rays keep to the tiles that bricks were projected to
+  bool UseBricks = false; ///< bricks are built
+  bool UseTiles = false;  ///< eye rays keep to the tiles that bricks were projected to
   bool LeapEyeSteps = false; ///< and leap the empty bricks between; light rays always do
   int CachedLights = 0; ///< the first so many lights have a light cache; 0: light rays are marched
   bool QuickCaches = false; ///< light caches are built quickly rather than exactly
@@ -139,6 +144,8 @@ public:
   /// march is over. 0 in the other integrators.
   int IterationBudget = 0;
 
+  std::shared_ptr<const vtkMediumUserCode> UserCode; ///< null: none
+  bool Finishes = false;                ///< code of the user has the last word on the colour
   std::vector<std::string> ShaderFiles; ///< in order, without prefix and suffix
   std::string ShaderDefines;            ///< the structural choices, as preprocessor lines
 
@@ -162,6 +169,7 @@ public:
 private:
   void Validate(const Settings&, const Capabilities&);
   void ValidateCut(const vtkMediumCut&);
+  void PlanUserCode(const Settings&);
   static bool CutsLightRays(const vtkMediumScene&);
   void ChooseSteps(const vtkMediumScene&, const Settings&);
   void PlanPaper(const vtkMediumScene&, const Settings&);

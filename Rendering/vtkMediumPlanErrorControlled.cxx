@@ -10,6 +10,7 @@
 void vtkMediumPlan::PlanErrorControlled(const vtkMediumScene& scene, const Settings& settings)
 {
   this->UseBricks = true;
+  this->UseTiles = !scene.Content.Altered; // else bricks do not know where there is nothing
   const double voxel = scene.Geometry.VoxelLength / scene.Geometry.Length;
   this->EyeStep = settings.ControlledStep > 0 ? settings.ControlledStep : voxel;
   this->LeapEyeSteps = this->EyeStep <= LongestLeaptStep * voxel;

@@ -3,6 +3,7 @@
 #include "vtkMediumProgram.h"
 
 #include "vtkMediumShaderTexts.h"
+#include "vtkMediumUserCode.h"
 
 #include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -30,19 +31,25 @@ std::string vtkMediumProgram::Assemble(
 }
 
 //------------------------------------------------------------------------------
-vtkShaderProgram* vtkMediumProgram::Use(
-  vtkOpenGLRenderWindow* window, const std::vector<std::string>& files, const std::string& defines)
+vtkShaderProgram* vtkMediumProgram::Use(vtkOpenGLRenderWindow* window,
+  const std::vector<std::string>& files, const std::string& defines, const vtkMediumUserCode* code)
 {
   std::string key = defines;
   for (const std::string& file : files)
   {
     key += file + ' ';
   }
+  const bool altered = code && !code->IsEmpty();
+  key += altered ? code->GetKey(files) : std::string();
   std::unique_ptr<vtkOpenGLQuadHelper>& quad = this->Quads[key];
   if (!quad)
   {
     const double before = vtkTimerLog::GetUniversalTime();
-    const std::string text = vtkMediumProgram::Assemble(files, defines);
+    std::string text = vtkMediumProgram::Assemble(files, defines);
+    if (altered)
+    {
+      code->Insert(text);
+    }
     quad.reset(new vtkOpenGLQuadHelper(window, nullptr, text.c_str(), nullptr));
     this->CompileMilliseconds += 1e3 * (vtkTimerLog::GetUniversalTime() - before);
     ++this->Compiles;
@@ -54,6 +61,10 @@ vtkShaderProgram* vtkMediumProgram::Use(
   }
   // Another pass may have made its own program current since the last draw.
   window->GetShaderCache()->ReadyShaderProgram(quad->Program);
+  if (altered)
+  {
+    code->SetUniforms(quad->Program);
+  }
   return quad->Program;
 }
 

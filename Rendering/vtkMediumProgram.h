@@ -21,6 +21,7 @@ class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 class vtkWindow;
 VTK_ABI_NAMESPACE_END
+class vtkMediumUserCode;
 
 class VTKPARTICIPATINGMEDIARENDERING_EXPORT vtkMediumProgram
 {
@@ -34,8 +35,9 @@ public:
 
   /// Makes the program of these files and definitions current, compiling it if it is new. Null if it
   /// does not compile; then VTK has reported the compiler's words.
+  /// With code of the user, if there is any, in its places.
   vtkShaderProgram* Use(vtkOpenGLRenderWindow* window, const std::vector<std::string>& files,
-    const std::string& defines);
+    const std::string& defines, const vtkMediumUserCode* code = nullptr);
 
   /// Draws the full viewport with the program last made current.
   void Draw();

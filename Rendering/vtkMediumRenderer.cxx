@@ -5,6 +5,7 @@
 #include "vtkMediumImages.h"
 #include "vtkMediumStatistics.h"
 #include "vtkMediumSurroundings.h"
+#include "vtkMediumUserCode.h"
 #include "vtkSingleScatteringVolumeMapper.h"
 
 #include "vtkMatrix4x4.h"
@@ -24,6 +25,15 @@
 
 namespace
 {
+//------------------------------------------------------------------------------
+std::string NameCompilerFault(const vtkMediumPlan& plan)
+{
+  return plan.UserCode ? "The shader code of the volume's vtkShaderProperty does not compile; the "
+                         "compiler's words are "
+                         "above. Correct it, or take it away (ClearAllFragmentShaderReplacements)."
+                       : "A shader did not compile on this device; the compiler's words are above.";
+}
+
 //------------------------------------------------------------------------------
 /// Milliseconds since it was made, or since the last lap.
 class Stopwatch
@@ -199,6 +209,13 @@ std::string vtkMediumRenderer::Gather(const Request& request)
   {
     return refusal;
   }
+  const std::shared_ptr<const vtkMediumUserCode>& code = request.Settings.UserCode;
+  if (code)
+  {
+    scene.Content.UserCode = code->GetSignature();
+    scene.Content.Altered = code->Has(vtkMediumUserCode::Coefficients);
+    scene.Content.ChromaticExtinction |= scene.Content.Altered;
+  }
   if (!request.Medium)
   {
     scene.Content.Phase = request.Phase;
@@ -240,15 +257,15 @@ std::string vtkMediumRenderer::Integrate(
 {
   const bool compiled =
     frame.Integrate(this->Programs, this->Textures, this->Accelerator, this->Scene, plan, progress);
-  return compiled ? std::string()
-                  : "A shader did not compile on this device; the compiler's words are above.";
+  return compiled ? std::string() : NameCompilerFault(plan);
 }
 
 //------------------------------------------------------------------------------
 std::string vtkMediumRenderer::IntegrateFrame(const Request& request, const vtkMediumPlan& plan,
   const vtkMediumFrame::Viewport& viewport, bool mayBeHidden)
 {
-  std::string refusal = this->Frame.Begin(this->Window, viewport, plan.NeedsState(), mayBeHidden);
+  std::string refusal =
+    this->Frame.Begin(this->Window, viewport, plan.NeedsState(), mayBeHidden, plan.Finishes);
   if (refusal.empty())
   {
     refusal = this->Integrate(this->Frame, plan, request.Progress);
@@ -258,6 +275,11 @@ std::string vtkMediumRenderer::IntegrateFrame(const Request& request, const vtkM
   {
     refusal = this->Probe.Begin(this->Window, viewport, plan.NeedsState(), mayBeHidden);
     refusal = refusal.empty() ? this->Integrate(this->Probe, plan.Coarser()) : refusal;
+  }
+  if (refusal.empty() && this->Frame.IsComplete() && plan.Finishes &&
+    !this->Frame.Finish(this->Programs, this->Scene, plan))
+  {
+    refusal = NameCompilerFault(plan);
   }
   return refusal;
 }
@@ -327,7 +349,7 @@ void vtkMediumRenderer::CountWork(const vtkMediumPlan& plan, vtkMediumStatistics
   const std::size_t leapt =
     bricks.GetNumberOf(vtkMediumBricks::Empty) + this->Accelerator.GetBricksCutAway();
   const glm::ivec3& count = bricks.GetCount();
-  statistics->BricksLeapt = plan.UseBricks ? static_cast<vtkTypeInt64>(leapt) : 0;
+  statistics->BricksLeapt = plan.UseTiles ? static_cast<vtkTypeInt64>(leapt) : 0;
   statistics->BricksVisited = plan.UseBricks
     ? static_cast<vtkTypeInt64>(count.x) * count.y * count.z - statistics->BricksLeapt
     : 0;

@@ -139,6 +139,10 @@ vtkMediumSignature vtkMediumSignature::OfContentAndLights(const vtkMediumScene& 
   {
     signature.Add(content.Fields[mask]);
   }
+  for (double value : content.UserCode)
+  {
+    signature.Add(value);
+  }
   signature.Add(content.Phase);
   signature.Add(content.Anisotropy, content);
   signature.Add(content.BackAnisotropy);

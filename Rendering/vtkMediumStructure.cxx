@@ -44,7 +44,7 @@ std::string Expression(const vtkMediumScene::Coefficient& coefficient, const cha
 //------------------------------------------------------------------------------
 bool vtkMediumStructure::HasConstantExtinction(const vtkMediumScene::Medium& content)
 {
-  return content.Masks.empty() && content.Extinction.IsConstant() &&
+  return !content.Altered && content.Masks.empty() && content.Extinction.IsConstant() &&
     (!content.ExtinctionIsAbsorption || content.Scattering.IsConstant());
 }
 
@@ -59,6 +59,7 @@ std::string vtkMediumStructure::ContentDefines(const vtkMediumScene::Medium& con
        << mask << ")\n";
   text << "#define SCATTERING(box) (" << Expression(content.Scattering, "scatteringScale", content)
        << (content.ScatteringIsAlbedo ? "" : mask) << ")\n";
+  text << (content.Altered ? "#define USER_COEFFICIENTS\n" : "");
   if (HasConstantExtinction(content))
   {
     text << "#define EXTINCTION_CONSTANT\n";
@@ -92,7 +93,8 @@ std::string vtkMediumStructure::ExactDefines(const vtkMediumScene::Medium& conte
   const Coefficient& extinction = content.Extinction;
   const bool function = extinction.Source == Coefficient::FunctionRGB ||
     extinction.Source == Coefficient::FunctionAlpha;
-  if (!function || content.ExtinctionIsAbsorption || !content.Fields[extinction.FieldIndex].Linear)
+  if (!function || content.Altered || content.ExtinctionIsAbsorption ||
+    !content.Fields[extinction.FieldIndex].Linear)
   {
     return {}; // affine in the field, a sum that has no table of its own, or constant in a cell
   }

@@ -4,7 +4,9 @@
 
 #include "vtkMediumImages.h"
 #include "vtkMediumRenderer.h"
+#include "vtkMediumSettings.h"
 #include "vtkMediumStatistics.h"
+#include "vtkMediumUserCode.h"
 #include "vtkParticipatingMedium.h"
 
 #include "vtkCommand.h"
@@ -20,6 +22,7 @@
 #include "vtkVolume.h"
 
 #include <algorithm>
+#include <memory>
 #include <sstream>
 
 namespace
@@ -137,22 +140,16 @@ std::string vtkSingleScatteringVolumeMapper::Draw(vtkRenderer* renderer, vtkVolu
     return renderer->GetRenderWindow()->CheckAbortStatus() == 0;
   };
 
-  vtkMediumPlan::Settings& settings = request.Settings;
-  settings.Integrator = this->Integrator;
-  settings.Output = this->Output;
-  settings.SampleDistance = this->SampleDistance;
-  settings.LightSampleDistance = this->LightSampleDistance;
-  settings.BinarySearchIterations = this->BinarySearchIterations;
-  settings.Jitter = this->Jitter;
-  settings.TransmittanceThreshold = this->TransmittanceThreshold;
-  settings.PaperThreshold = this->PaperThreshold;
-  settings.AssumeConvex = this->AssumeConvex;
-  settings.CountTaps = this->Statistics->GetCountTaps();
-  settings.DepthDefinition = this->DepthDefinition;
-  settings.DepthTransmittance = this->DepthTransmittance;
-  settings.MaximumError = this->MaximumError;
-  settings.LightMethod =
-    this->LightCaches == CachesNever ? vtkMediumPlan::March : vtkMediumPlan::LookUp;
+  request.Settings = vtkMediumSettingsOf(this);
+  auto code = std::make_shared<vtkMediumUserCode>(volume);
+  if (!code->Refusal.empty())
+  {
+    return code->Refusal;
+  }
+  if (!code->IsEmpty())
+  {
+    request.Settings.UserCode = code;
+  }
   request.PixelEdge = this->ImageSampleDistance;
   request.Seconds =
     this->AutoAdjustSampleDistances ? volume->GetAllocatedRenderTime() : VTK_DOUBLE_MAX;

@@ -27,7 +27,7 @@
  * do; the frame keeps its background and the next valid frame is drawn. A cause that persists is
  * reported once, until it changes or a frame succeeds. Refused are: an input that is not a
  * vtkImageData, has no scalars, has fewer than two points along an axis or a singular matrix; blend
- * modes other than composite; clipping planes and cropping planes that are none; depth peeling of
+ * modes other than composite; a gradient opacity other than 1 and two-dimensional transfer functions; clipping planes and cropping planes that are none; depth peeling of
  * volumes; a window that is not OpenGL 3.2; and the parameter values named below.
  *
  * @par Clipping and cropping
@@ -45,6 +45,11 @@
  * Composite blending is what a medium does; the other modes of vtkVolumeMapper combine scalars along a ray,
  * or opacities step by step (additive), which has no meaning here. A radiograph is an output instead:
  * Transmittance is what is left of a light behind the volume, OpticalDepth the integral of the extinction.
+ *
+ * @par Shader code
+ * The volume's vtkShaderProperty may put GLSL at a few points of the shaders, AddFragmentShaderReplacement
+ * of //VTK::Medium::Dec, ...::Coefficients::Impl, ...::InScatter::Impl and ...::Color::Impl, with uniforms of
+ * its GetFragmentCustomUniforms; see Module/Documentation/shaders.md. All else in it is refused.
  *
  * @par Picking and selection
  * vtkHardwareSelector, and what uses it (vtkPropPicker, vtkRenderer::PickProp), see the medium where more

@@ -130,6 +130,10 @@ public:
     std::vector<double> PhaseTable; ///< values per steradian at equally spaced cosines -1…1
 
     bool ChromaticExtinction = false; ///< sigma_t differs between R, G and B
+
+    /// Code of the user alters the coefficients of the picture: none is known to be zero or constant.
+    bool Altered = false;
+    std::vector<double> UserCode; ///< same values, same code and same uniforms of it; empty: none
   };
 
   /// The coefficients at one point, per world unit.

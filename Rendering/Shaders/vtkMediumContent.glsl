@@ -84,14 +84,23 @@ vec3 contentScattering(vec3 box, vec3 extinction)
 #endif
 }
 
-SPECTRUM contentExtinction(vec3 box)
+#ifdef USER_COEFFICIENTS
+uniform float worldLength; // world units in a local unit
+
+// Code of the user, in voxels that are not masked out. `box` is 0 to 1 over the volume.
+void contentAltered(vec3 box, inout vec3 extinction, inout vec3 scattering, inout vec3 emission,
+  inout float anisotropy)
 {
-  vec3 extinction = EXTINCTION(box);
-#ifdef EXTINCTION_IS_ABSORPTION
-  extinction += contentScattering(box, extinction);
+#ifdef MASK
+  if (MASK(box) == 0.0)
+  {
+    return;
+  }
 #endif
-  return SPECTRUM_OF(extinction);
+  //VTK::Medium::Coefficients::Impl
+  extinction = max(extinction, 0.0);
 }
+#endif
 
 struct Content
 {
@@ -113,5 +122,22 @@ Content contentAt(vec3 box)
 #else
   vec3 emission = vec3(0.0);
 #endif
-  return Content(SPECTRUM_OF(extinction), scattering, emission, ANISOTROPY(box));
+  float anisotropy = ANISOTROPY(box);
+#ifdef USER_COEFFICIENTS
+  contentAltered(box, extinction, scattering, emission, anisotropy);
+#endif
+  return Content(SPECTRUM_OF(extinction), scattering, emission, anisotropy);
+}
+
+SPECTRUM contentExtinction(vec3 box)
+{
+#ifdef USER_COEFFICIENTS
+  return contentAt(box).extinction;
+#else
+  vec3 extinction = EXTINCTION(box);
+#ifdef EXTINCTION_IS_ABSORPTION
+  extinction += contentScattering(box, extinction);
+#endif
+  return SPECTRUM_OF(extinction);
+#endif
 }

@@ -29,7 +29,9 @@ vec3 inScatter(vec3 middle, vec3 direction, float width, Content content)
       vec3 worth = content.scattering * unshadowed;
       lightImportance = lightSourceWeight * max(max(worth.r, worth.g), worth.b);
 #endif
-      sum += unshadowed * lightTransmittance(number, light.point, light);
+      vec3 inScattered = unshadowed * lightTransmittance(number, light.point, light);
+      //VTK::Medium::InScatter::Impl
+      sum += inScattered;
     }
   }
   return content.scattering * sum;

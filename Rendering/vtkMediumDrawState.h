@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkMediumDrawState
+ * @brief OpenGL's state for a draw that writes every pixel of its targets as it is; the state before
+ * comes back with its end.
+ */
+#ifndef vtkMediumDrawState_h
+#define vtkMediumDrawState_h
+
+#include "vtkMediumOpenGL.h"
+#include "vtkOpenGLState.h"
+
+#include <glm/vec2.hpp>
+
+class vtkMediumDrawState
+{
+public:
+  vtkMediumDrawState(vtkOpenGLState* state, const glm::ivec2& size)
+    : DepthTest(state, GL_DEPTH_TEST)
+    , Blend(state, GL_BLEND)
+    , ScissorTest(state, GL_SCISSOR_TEST)
+    , Cull(state, GL_CULL_FACE)
+    , DepthMask(state)
+    , ColorMask(state)
+    , Viewport(state)
+    , Scissor(state)
+    , ActiveTexture(state)
+  {
+    state->vtkglDisable(GL_DEPTH_TEST);
+    state->vtkglDisable(GL_BLEND);
+    state->vtkglDisable(GL_SCISSOR_TEST);
+    state->vtkglDisable(GL_CULL_FACE);
+    state->vtkglDepthMask(GL_FALSE);
+    state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    state->vtkglViewport(0, 0, size.x, size.y);
+  }
+
+private:
+  vtkOpenGLState::ScopedglEnableDisable DepthTest, Blend, ScissorTest, Cull;
+  vtkOpenGLState::ScopedglDepthMask DepthMask;
+  vtkOpenGLState::ScopedglColorMask ColorMask;
+  vtkOpenGLState::ScopedglViewport Viewport;
+  vtkOpenGLState::ScopedglScissor Scissor;
+  vtkOpenGLState::ScopedglActiveTexture ActiveTexture;
+};
+
+#endif

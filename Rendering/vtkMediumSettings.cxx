@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMediumSettings.h"
+
+#include "vtkMediumStatistics.h"
+#include "vtkSingleScatteringVolumeMapper.h"
+
+//------------------------------------------------------------------------------
+vtkMediumPlan::Settings vtkMediumSettingsOf(vtkSingleScatteringVolumeMapper* mapper)
+{
+  vtkMediumPlan::Settings settings;
+  settings.Integrator = mapper->GetIntegrator();
+  settings.Output = mapper->GetOutput();
+  settings.SampleDistance = mapper->GetSampleDistance();
+  settings.LightSampleDistance = mapper->GetLightSampleDistance();
+  settings.BinarySearchIterations = mapper->GetBinarySearchIterations();
+  settings.Jitter = mapper->GetJitter();
+  settings.TransmittanceThreshold = mapper->GetTransmittanceThreshold();
+  settings.PaperThreshold = mapper->GetPaperThreshold();
+  settings.AssumeConvex = mapper->GetAssumeConvex();
+  settings.CountTaps = mapper->GetStatistics()->GetCountTaps();
+  settings.DepthDefinition = mapper->GetDepthDefinition();
+  settings.DepthTransmittance = mapper->GetDepthTransmittance();
+  settings.MaximumError = mapper->GetMaximumError();
+  settings.LightMethod = mapper->GetLightCaches() == vtkSingleScatteringVolumeMapper::CachesNever
+    ? vtkMediumPlan::March
+    : vtkMediumPlan::LookUp;
+  return settings;
+}
