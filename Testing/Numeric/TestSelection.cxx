@@ -221,11 +221,18 @@ TEST(Selection, PropPickerFindsThePlace)
   EXPECT_FALSE(picker->Pick(0, 0, 0, scene.Renderer));
 }
 
-// These look at the data and the property, at the opacity of one unit distance.
-TEST(Selection, VolumePickersFindTheOpacityOfTheProperty)
+// These look at the data and the property, at the opacity of one unit distance, with a medium and without.
+class VolumePickers : public testing::TestWithParam<bool>
+{
+};
+
+TEST_P(VolumePickers, FindTheOpacityOfTheProperty)
 {
   BallScene scene;
-  scene.Mapper->SetMedium(nullptr);
+  if (!GetParam())
+  {
+    scene.Mapper->SetMedium(nullptr);
+  }
   vtkNew<vtkPiecewiseFunction> opacity;
   opacity->AddPoint(0, 0);
   opacity->AddPoint(1, 1);
@@ -250,3 +257,5 @@ TEST(Selection, VolumePickersFindTheOpacityOfTheProperty)
     }
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Selection, VolumePickers, testing::Bool());

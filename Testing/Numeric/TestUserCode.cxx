@@ -68,6 +68,16 @@ double DifferenceFrom(const Picture& plain, double color, double alpha, const Pi
   return largest;
 }
 
+double MeanDifference(const Picture& first, const Picture& second)
+{
+  double sum = 0;
+  for (std::size_t i = 0; i < first.Values.size(); ++i)
+  {
+    sum += std::abs(first.Values[i] - second.Values[i]);
+  }
+  return sum / first.Values.size();
+}
+
 constexpr int Integrators[] = { Mapper::Paper, Mapper::FixedStep, Mapper::ErrorControlled,
   Mapper::Exact };
 }
@@ -204,6 +214,31 @@ TEST(UserCode, MakesAMediumWhereTheDataHaveNone)
     const double tolerance = integrator == Mapper::ErrorControlled ? 0.01 : 1e-4;
     EXPECT_LT(Difference(box.Render(), empty.Render()), tolerance);
     EXPECT_TRUE(empty.Errors.empty());
+  }
+}
+
+TEST(UserCode, ThatRemovesHalfOfAConstantMediumIsTheCroppedOne)
+{
+  for (int integrator : { Mapper::FixedStep, Mapper::ErrorControlled, Mapper::Exact })
+  {
+    SCOPED_TRACE(testing::Message() << "integrator " << integrator);
+    Scene cropped(MakeBox(), 16), altered(MakeBox(), 16);
+    for (Scene* scene : { &cropped, &altered })
+    {
+      scene->Mapper->SetIntegrator(integrator);
+      scene->Mapper->SetMaximumError(0.002);
+      scene->SetSteps(0.005, 0.005);
+      scene->AddBeam({ 1, -0.2, -0.1 }); // through the half that is removed
+      scene->Look({ 0.3, 0.2, -1 }, 3);
+      scene->Medium->SetExtinction(4);
+    }
+    cropped.Mapper->CroppingOn();
+    cropped.Mapper->SetCroppingRegionPlanes(0, 1, -1, 1, -1, 1);
+    Alter(altered, Coefficients, "if (box.x < 0.5) { extinction *= 0.0; scattering *= 0.0; }");
+    const Picture expected = cropped.Render(), found = altered.Render();
+    // A step of 0.005 straddles the edge; that of ErrorControlled and a part of Exact is longer.
+    EXPECT_LT(MeanDifference(expected, found), integrator == Mapper::FixedStep ? 2e-4 : 2e-3);
+    EXPECT_TRUE(altered.Errors.empty());
   }
 }
 
