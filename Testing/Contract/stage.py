@@ -21,8 +21,8 @@ from participating_media import vtkSingleScatteringVolumeMapper
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import (VTK_UNSIGNED_CHAR, vtkLogger, vtkOutputWindow,
                                       vtkStringOutputWindow, vtkUnsignedCharArray)
-from vtkmodules.vtkCommonDataModel import (vtkImageData, vtkPiecewiseFunction, vtkRectilinearGrid,
-                                           vtkUniformGrid)
+from vtkmodules.vtkCommonDataModel import (vtkDataSetAttributes, vtkImageData, vtkPiecewiseFunction,
+                                           vtkRectilinearGrid, vtkUniformGrid)
 from vtkmodules.vtkRenderingCore import (vtkActor, vtkCamera, vtkColorTransferFunction, vtkLight,
                                          vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkVolume,
                                          vtkVolumeProperty)
@@ -48,16 +48,16 @@ def density(points, spacing):
 
 
 def make_data(points=(24, 24, 24), spacing=(1, 1, 1), type="float32", scale=1.0, cells=False,
-              components=1, kind="vtkImageData", name="density", first=(0, 0, 0)):
+              components=1, kind="vtkImageData", first=(0, 0, 0), blank=0, decoy=False):
     """The balls as a VTK data set of that many points, from the value 0 to the value `scale`.
 
-    Components after the first are constant, so that dependent ones make sense too.
+    Components after the first are constant, so that dependent ones make sense too. The first `blank`
+    columns of points are hidden. A `decoy` of zeros is active in place of the balls' array.
     """
     values = (density([n - cells for n in points], spacing) * scale).astype(type).ravel()
     columns = [values] + [np.full_like(values, 0.8 * scale)] * (components - 1)
     columns = columns[1:] + columns[:1] if components > 2 else columns  # colours, then opacity
-    array = numpy_to_vtk(np.stack(columns, axis=1) if components > 1 else values, deep=True)
-    array.SetName(name)
+    array = named(np.stack(columns, axis=1) if components > 1 else values, "density")
     if kind == "vtkRectilinearGrid":
         data = vtkRectilinearGrid()
         data.SetDimensions(*points)
@@ -71,7 +71,20 @@ def make_data(points=(24, 24, 24), spacing=(1, 1, 1), type="float32", scale=1.0,
         data.SetOrigin(*(-h * ((n - 1) / 2 + f) for h, n, f in zip(spacing, points, first)))
     attributes = data.GetCellData() if cells else data.GetPointData()
     attributes.SetScalars(array)
+    if decoy:
+        attributes.SetScalars(named(np.zeros_like(values), "nothing"))
+        attributes.AddArray(array)
+    if blank:
+        hidden = np.zeros(points[::-1], np.uint8)
+        hidden[:, :, :blank] = vtkDataSetAttributes.HIDDENPOINT
+        attributes.AddArray(named(hidden.ravel(), vtkDataSetAttributes.GhostArrayName()))
     return data
+
+
+def named(values, name):
+    array = numpy_to_vtk(values, deep=True)
+    array.SetName(name)
+    return array
 
 
 def make_labels(split=12):
