@@ -23,6 +23,7 @@ class Judgement:
     errors: list[str] = field(default_factory=list)
     gl_errors: int = 0
     missing: str = ""  # the setting that it lacks
+    omitted: str = ""  # why it was not drawn
     lit: np.ndarray | None = None
     shown: np.ndarray | None = None  # by how much a pixel differs from the one without the volume
     transmitted: np.ndarray | None = None
@@ -78,6 +79,8 @@ def judge(scene, theirs, ours):
 
 
 def describe_theirs(theirs):
+    if theirs.omitted:
+        return theirs.omitted
     if theirs.missing:
         return f"not in this VTK ({theirs.missing})"
     if theirs.errors:
