@@ -156,15 +156,14 @@ void vtkMediumFrame::SetContentUniforms(
 }
 
 //------------------------------------------------------------------------------
-bool vtkMediumFrame::Integrate(vtkMediumProgram& programs, vtkMediumTextures& textures,
-  vtkMediumAccelerator& accelerator, const vtkMediumScene& scene, const vtkMediumPlan& plan,
-  const Progress& progress)
+bool vtkMediumFrame::Integrate(const Resources& resources, const vtkMediumScene& scene,
+  const vtkMediumPlan& plan, const Progress& progress)
 {
   this->Complete = false;
   const glm::ivec2 rays = this->View.GetRays();
   vtkOpenGLState* state = this->Window->GetState();
   vtkShaderProgram* program =
-    programs.Use(this->Window, plan.ShaderFiles, plan.ShaderDefines, plan.UserCode.get());
+    resources.Programs.Use(this->Window, plan.ShaderFiles, plan.ShaderDefines, plan.UserCode.get());
   if (!program)
   {
     return false;
@@ -180,24 +179,26 @@ bool vtkMediumFrame::Integrate(vtkMediumProgram& programs, vtkMediumTextures& te
   glm::ivec4 seen = vtkMediumPlan::FindScissor(scene.Eye, scene.Geometry, rays);
   if (plan.UseTiles)
   {
-    accelerator.ProjectTiles(scene, rays);
-    seen = accelerator.GetScissor();
+    resources.Accelerator.ProjectTiles(scene, rays);
+    seen = resources.Accelerator.GetScissor();
   }
   this->Complete = true;
   if (seen.z > 0 && seen.w > 0)
   {
     state->vtkglEnable(GL_SCISSOR_TEST);
     state->vtkglScissor(seen.x, seen.y, seen.z, seen.w);
-    textures.Activate(program, plan);
-    accelerator.Activate(program, plan);
+    resources.Textures.Activate(program, plan);
+    resources.Accelerator.Activate(program, plan);
+    resources.ShadowMap.Activate(program, plan);
     this->Depth.GetTexture()->Activate();
     program->SetUniformi("opaqueDepth", this->Depth.GetTexture()->GetTextureUnit());
     this->SetFrameUniforms(program, scene, plan);
     this->SetContentUniforms(program, scene, plan);
-    this->Complete = this->DrawPasses(programs, program, plan, progress);
+    this->Complete = this->DrawPasses(resources.Programs, program, plan, progress);
     this->Depth.GetTexture()->Deactivate();
-    accelerator.Deactivate();
-    textures.Deactivate();
+    resources.ShadowMap.Deactivate();
+    resources.Accelerator.Deactivate();
+    resources.Textures.Deactivate();
   }
   state->PopFramebufferBindings();
   return true;

@@ -15,6 +15,7 @@
 #include "vtkMediumOpaqueDepth.h"
 #include "vtkMediumPlan.h"
 #include "vtkMediumProgram.h"
+#include "vtkMediumShadowMap.h"
 #include "vtkMediumTextures.h"
 
 #include "vtkNew.h"
@@ -76,6 +77,15 @@ public:
     double Scale = 1;   ///< 1 / (the value that is shown as 1, less that)
   };
 
+  /// What the shaders read.
+  struct Resources
+  {
+    vtkMediumProgram& Programs;
+    vtkMediumTextures& Textures;
+    vtkMediumAccelerator& Accelerator;
+    vtkMediumShadowMap& ShadowMap;
+  };
+
   /// Told after each draw which part of the frame is integrated, 0 to 1; false stops there.
   using Progress = std::function<bool(double fraction)>;
 
@@ -86,8 +96,7 @@ public:
     bool copyDepth, bool finish = false);
 
   /// Integrates the plan's passes into the targets. False if the program does not compile.
-  bool Integrate(vtkMediumProgram& programs, vtkMediumTextures& textures,
-    vtkMediumAccelerator& accelerator, const vtkMediumScene& scene, const vtkMediumPlan& plan,
+  bool Integrate(const Resources& resources, const vtkMediumScene& scene, const vtkMediumPlan& plan,
     const Progress& progress = {});
   /// Whether the last Integrate went to its end.
   bool IsComplete() const { return this->Complete; }

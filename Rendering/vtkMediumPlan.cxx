@@ -59,6 +59,8 @@ vtkMediumPlan::vtkMediumPlan(
   this->TransmittanceThreshold = gathers ? settings.TransmittanceThreshold : 0;
   const bool scatters = scene.Content.Altered || !scene.Content.Scattering.IsZero();
   this->Lit = gathers && !scene.Lights.empty() && scatters;
+  this->OpaqueShadows = this->Lit && !scene.Casters.empty();
+  this->OpaqueShadowResolution = settings.OpaqueShadowResolution;
   if (paper)
   {
     this->PlanPaper(scene, settings);
@@ -233,6 +235,7 @@ void vtkMediumPlan::ChooseProgram(
   const bool exact = settings.Integrator == Mapper::Exact;
   std::ostringstream defines;
   defines << (this->Lit ? "#define LIT\n" : "");
+  defines << (this->OpaqueShadows ? "#define OPAQUE_SHADOWS\n" : "");
   defines << (this->NeedsState() ? "#define CARRY_STATE\n" : "");
   defines << this->OutputDefines(settings);
   defines << "#define FIELD_COUNT " << this->Fields.size() << "\n";
@@ -290,7 +293,12 @@ void vtkMediumPlan::ChooseShaderFiles(const vtkMediumScene& scene, int integrato
   add({ scene.Cut.CutsRegions() ? "KeptRegions" : "KeptInterval", "EyeRay", "Fields" });
   if (this->Lit)
   {
-    add({ "PhaseLobes", "Light", "Lights" });
+    add({ "PhaseLobes", "Light" });
+    if (this->OpaqueShadows)
+    {
+      add({ "ShadowMap" });
+    }
+    add({ "Lights" });
   }
   switch (integrator)
   {

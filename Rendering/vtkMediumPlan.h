@@ -53,6 +53,8 @@ public:
     double ControlledStep =
       0; ///< ErrorControlled: the step that was found, local units; 0: a voxel
     std::shared_ptr<const vtkMediumUserCode> UserCode;    ///< null: none
+    int OpaqueShadowResolution =
+      1024; ///< pixels along the edge of a light's view of opaque geometry
     vtkTypeInt64 LightCacheBytes = vtkTypeInt64(1) << 30; ///< the most that light caches may take
   };
 
@@ -129,6 +131,8 @@ public:
     0;                      ///< with CacheRoughness: radiance a local unit that look-ups may err by
   int LightLookUpEvery = 1; ///< with CacheRoughness: iterations from look-up to look-up
   bool ConstantExtinction = false; ///< the optical depth of a light ray is its length
+  bool OpaqueShadows = false;      ///< opaque geometry stands in the light
+  int OpaqueShadowResolution = 0;
   bool Lit = false;     ///< light rays are marched: there is light, and something scatters it
   double EyeStep = 0;   ///< local units
   double LightStep = 0; ///< local units

@@ -108,6 +108,7 @@ std::string vtkMediumRenderer::Prepare(const Request& request,
 {
   Stopwatch watch;
   std::string refusal = this->Textures.Update(this->Window, this->Scene, draft);
+  refusal = refusal.empty() ? this->ShadowMap.Update(this->Window, this->Scene, draft) : refusal;
   statistics->UploadMilliseconds = watch.Lap();
   this->Programs.ResetCompileMilliseconds();
   if (!refusal.empty() || !draft.UseBricks)
@@ -220,6 +221,11 @@ std::string vtkMediumRenderer::Gather(const Request& request)
   {
     scene.Content.Phase = request.Phase;
   }
+  scene.Casters.clear();
+  if (request.OpaqueShadows)
+  {
+    scene.GatherCasters(request.Renderer);
+  }
   refusal = scene.GatherLights(request.Renderer);
   return refusal.empty() ? this->GatherView(request.Renderer) : refusal;
 }
@@ -256,7 +262,8 @@ std::string vtkMediumRenderer::Integrate(
   vtkMediumFrame& frame, const vtkMediumPlan& plan, const vtkMediumFrame::Progress& progress)
 {
   const bool compiled =
-    frame.Integrate(this->Programs, this->Textures, this->Accelerator, this->Scene, plan, progress);
+    frame.Integrate({ this->Programs, this->Textures, this->Accelerator, this->ShadowMap },
+      this->Scene, plan, progress);
   return compiled ? std::string() : NameCompilerFault(plan);
 }
 
@@ -308,7 +315,7 @@ std::string vtkMediumRenderer::DrawFrame(
   {
     this->FrameSignature = vtkMediumSignature();
     refusal = this->IntegrateFrame(request, plan, viewport, surroundings.MayHide());
-    if (refusal.empty() && this->Frame.IsComplete())
+    if (refusal.empty() && this->Frame.IsComplete() && this->ShadowMap.IsComplete())
     {
       this->FrameSignature = signature;
     }
@@ -342,9 +349,10 @@ void vtkMediumRenderer::CountWork(const vtkMediumPlan& plan, vtkMediumStatistics
   statistics->ProgramCompiles = this->Programs.GetCompiles();
   statistics->BrickBuilds = this->Accelerator.GetBrickBuilds();
   statistics->LightCacheBuilds = this->Accelerator.GetLightCacheBuilds();
+  statistics->ShadowMapBuilds = this->ShadowMap.GetBuilds();
   statistics->Calibrations = this->StepControl.GetCalibrations();
   statistics->GPUBytes = this->Textures.GetBytes() + this->Accelerator.GetBytes() +
-    this->Frame.GetBytes() + this->Probe.GetBytes();
+    this->ShadowMap.GetBytes() + this->Frame.GetBytes() + this->Probe.GetBytes();
   const vtkMediumBricks& bricks = this->Accelerator.GetBricks();
   const std::size_t leapt =
     bricks.GetNumberOf(vtkMediumBricks::Empty) + this->Accelerator.GetBricksCutAway();
@@ -367,6 +375,7 @@ void vtkMediumRenderer::ReleaseGraphicsResources(vtkWindow* window)
   {
     this->Textures.ReleaseGraphicsResources(window);
     this->Accelerator.ReleaseGraphicsResources(window);
+    this->ShadowMap.ReleaseGraphicsResources(window);
     this->Programs.ReleaseGraphicsResources(window);
     this->Probe.ReleaseGraphicsResources(window);
     this->Frame.ReleaseGraphicsResources(window);

@@ -16,6 +16,7 @@
 #include "vtkMediumPlan.h"
 #include "vtkMediumProgram.h"
 #include "vtkMediumScene.h"
+#include "vtkMediumShadowMap.h"
 #include "vtkMediumStepControl.h"
 #include "vtkMediumTextures.h"
 
@@ -54,10 +55,11 @@ public:
     double Anisotropy = 0;                    ///< of the property
     vtkMediumScene::Phases Phase = vtkMediumScene::HenyeyGreenstein; ///< of the property
     double MaximumError = 0;                                         ///< ErrorControlled
-    bool AlwaysCache = false; ///< ErrorControlled: light caches whatever their error
-    double PixelEdge = 1;     ///< pixels of the window that share a ray, along each axis
-    double Seconds = 1e9;     ///< ErrorControlled: the time that the window has for this frame
-    bool Show = true;         ///< in the window
+    bool AlwaysCache = false;   ///< ErrorControlled: light caches whatever their error
+    double PixelEdge = 1;       ///< pixels of the window that share a ray, along each axis
+    double Seconds = 1e9;       ///< ErrorControlled: the time that the window has for this frame
+    bool OpaqueShadows = false; ///< opaque geometry casts shadows into the medium
+    bool Show = true;           ///< in the window
     vtkMediumFrame::Progress Progress;       ///< told after each draw of the frame; false stops it
     vtkHardwareSelector* Selector = nullptr; ///< to be shown where the medium is, see Select
     vtkMediumPlan::Settings Settings;
@@ -115,6 +117,7 @@ private:
   vtkMediumScene Scene;
   vtkMediumTextures Textures;
   vtkMediumAccelerator Accelerator;
+  vtkMediumShadowMap ShadowMap;
   vtkMediumProgram Programs;
   vtkMediumStepControl StepControl;
   vtkMediumFrameBudget Budget;

@@ -22,6 +22,7 @@ vtkMediumPlan::Settings vtkMediumSettingsOf(vtkSingleScatteringVolumeMapper* map
   settings.DepthDefinition = mapper->GetDepthDefinition();
   settings.DepthTransmittance = mapper->GetDepthTransmittance();
   settings.MaximumError = mapper->GetMaximumError();
+  settings.OpaqueShadowResolution = mapper->GetOpaqueShadowResolution();
   settings.LightMethod = mapper->GetLightCaches() == vtkSingleScatteringVolumeMapper::CachesNever
     ? vtkMediumPlan::March
     : vtkMediumPlan::LookUp;

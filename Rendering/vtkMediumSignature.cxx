@@ -120,6 +120,18 @@ vtkMediumSignature vtkMediumSignature::OfCut(const vtkMediumScene& scene)
 }
 
 //------------------------------------------------------------------------------
+vtkMediumSignature vtkMediumSignature::OfCasters(const vtkMediumScene& scene)
+{
+  vtkMediumSignature signature;
+  for (const vtkMediumScene::Caster& caster : scene.Casters)
+  {
+    signature.Add(static_cast<double>(reinterpret_cast<std::uintptr_t>(caster.Prop)));
+    signature.Add(static_cast<double>(caster.Time));
+  }
+  return signature;
+}
+
+//------------------------------------------------------------------------------
 vtkMediumSignature vtkMediumSignature::OfOccupancy(const vtkMediumScene& scene)
 {
   vtkMediumSignature signature = OfExtinction(scene);
@@ -157,6 +169,7 @@ vtkMediumSignature vtkMediumSignature::OfContentAndLights(const vtkMediumScene& 
     signature.Add(light);
   }
   signature.Add(scene.Cut);
+  signature.Add(OfCasters(scene));
   return signature;
 }
 
@@ -171,13 +184,14 @@ vtkMediumSignature vtkMediumSignature::OfFrame(
     signature.Add(glm::dvec3(scene.Eye.LocalToClip[column]));
     signature.Add(scene.Eye.LocalToClip[column].w);
   }
-  for (double value : { double(settings.Integrator), double(settings.Output),
-         settings.SampleDistance, settings.LightSampleDistance,
-         double(settings.BinarySearchIterations), settings.Jitter, settings.TransmittanceThreshold,
-         settings.PaperThreshold, double(settings.AssumeConvex), double(settings.CountTaps),
-         double(settings.DepthDefinition), settings.DepthTransmittance, settings.MaximumError,
-         double(settings.LightMethod), settings.LightTolerance, double(settings.Hurried),
-         settings.ControlledLightStep, settings.ControlledStep, double(settings.LightCacheBytes) })
+  for (double value :
+    { double(settings.Integrator), double(settings.Output), settings.SampleDistance,
+      settings.LightSampleDistance, double(settings.BinarySearchIterations), settings.Jitter,
+      settings.TransmittanceThreshold, settings.PaperThreshold, double(settings.AssumeConvex),
+      double(settings.CountTaps), double(settings.DepthDefinition), settings.DepthTransmittance,
+      settings.MaximumError, double(settings.LightMethod), settings.LightTolerance,
+      double(settings.Hurried), settings.ControlledLightStep, settings.ControlledStep,
+      double(settings.LightCacheBytes), double(settings.OpaqueShadowResolution) })
   {
     signature.Add(value);
   }

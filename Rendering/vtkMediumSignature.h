@@ -24,6 +24,8 @@ public:
   static vtkMediumSignature OfExtinction(const vtkMediumScene& scene);
   /// What is cut away.
   static vtkMediumSignature OfCut(const vtkMediumScene& scene);
+  /// What casts shadows into the volume.
+  static vtkMediumSignature OfCasters(const vtkMediumScene& scene);
   /// What bricks depend on: the extinction and the emission.
   static vtkMediumSignature OfOccupancy(const vtkMediumScene& scene);
   /// All that changes the image of a scene materially, but for the camera.

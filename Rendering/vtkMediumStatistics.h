@@ -63,8 +63,8 @@ public:
   ///@}
 
   ///@{
-  /// Of the last frame, wall-clock milliseconds: gathering facts and deciding; uploading textures;
-  /// building bricks and light caches; finding the step; compiling programs; integrating, up to the
+  /// Of the last frame, wall-clock milliseconds: gathering facts and deciding; uploading textures
+  /// and drawing shadow maps; building bricks and light caches; finding the step; compiling programs; integrating, up to the
   /// driver's completion; the whole of Render.
   vtkGetMacro(GatherMilliseconds, double);
   vtkGetMacro(UploadMilliseconds, double);
@@ -78,13 +78,16 @@ public:
   ///@{
   /// Since creation: frames drawn, those of them that only showed again what was integrated for the one
   /// before, textures uploaded (not counting the lights' few numbers), programs
-  /// compiled, bricks built for an extinction, light caches built, and steps found from probe pixels.
+  /// compiled, bricks built for an extinction, light caches built, views of opaque geometry that were drawn
+  /// for its shadows (one for a light, up to six for one inside of the volume or near it), and steps found
+  /// from probe pixels.
   vtkGetMacro(Frames, vtkTypeInt64);
   vtkGetMacro(FramesReused, vtkTypeInt64);
   vtkGetMacro(TextureUploads, vtkTypeInt64);
   vtkGetMacro(ProgramCompiles, vtkTypeInt64);
   vtkGetMacro(BrickBuilds, vtkTypeInt64);
   vtkGetMacro(LightCacheBuilds, vtkTypeInt64);
+  vtkGetMacro(ShadowMapBuilds, vtkTypeInt64);
   vtkGetMacro(Calibrations, vtkTypeInt64);
   ///@}
 
@@ -121,6 +124,7 @@ private:
   vtkTypeInt64 BricksLeapt = 0;
   vtkTypeInt64 BrickBuilds = 0;
   vtkTypeInt64 LightCacheBuilds = 0;
+  vtkTypeInt64 ShadowMapBuilds = 0;
   vtkTypeInt64 Calibrations = 0;
   vtkTypeInt64 GPUBytes = 0;
 

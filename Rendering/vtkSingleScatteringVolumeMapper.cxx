@@ -150,6 +150,7 @@ std::string vtkSingleScatteringVolumeMapper::Draw(vtkRenderer* renderer, vtkVolu
   {
     request.Settings.UserCode = code;
   }
+  request.OpaqueShadows = this->OpaqueShadows;
   request.PixelEdge = this->ImageSampleDistance;
   request.Seconds =
     this->AutoAdjustSampleDistances ? volume->GetAllocatedRenderTime() : VTK_DOUBLE_MAX;
@@ -307,6 +308,8 @@ void vtkSingleScatteringVolumeMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetIntegrator(other->Integrator);
     this->SetMaximumError(other->MaximumError);
     this->SetLightCaches(other->LightCaches);
+    this->SetOpaqueShadows(other->OpaqueShadows);
+    this->SetOpaqueShadowResolution(other->OpaqueShadowResolution);
     this->SetSampleDistance(other->SampleDistance);
     this->SetLightSampleDistance(other->LightSampleDistance);
     this->SetAutoAdjustSampleDistances(other->AutoAdjustSampleDistances);
@@ -356,6 +359,8 @@ void vtkSingleScatteringVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PhaseFunction: " << this->PhaseFunction << "\n";
   os << indent << "Integrator: " << this->Integrator << "\n";
   os << indent << "LightCaches: " << this->LightCaches << "\n";
+  os << indent << "OpaqueShadows: " << (this->OpaqueShadows ? "On" : "Off") << "\n";
+  os << indent << "OpaqueShadowResolution: " << this->OpaqueShadowResolution << "\n";
   os << indent << "MaximumError: " << this->MaximumError << "\n";
   os << indent << "AutoAdjustSampleDistances: " << (this->AutoAdjustSampleDistances ? "On" : "Off")
      << "\n";

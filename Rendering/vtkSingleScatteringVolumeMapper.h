@@ -209,6 +209,17 @@ public:
   ///@}
 
   ///@{
+  /// Whether the renderer's visible opaque geometry casts shadows into the medium, with edges as wide as a
+  /// pixel of the light's view of the volume, which has OpaqueShadowResolution (16 to 8192) pixels an edge;
+  /// see Documentation/shadows.md. Default: off, for outlines, axes and widgets cast shadows too; 1024.
+  vtkSetMacro(OpaqueShadows, bool);
+  vtkGetMacro(OpaqueShadows, bool);
+  vtkBooleanMacro(OpaqueShadows, bool);
+  vtkSetClampMacro(OpaqueShadowResolution, int, 16, 8192);
+  vtkGetMacro(OpaqueShadowResolution, int);
+  ///@}
+
+  ///@{
   /// ErrorControlled: whether a frame keeps to the time that the render window has for it
   /// (vtkProp::GetAllocatedRenderTime) where that is less than a second, as while a user interacts with
   /// it. Such a frame finds no step, looks light up in caches that are quickly built, takes steps up to
@@ -220,9 +231,8 @@ public:
   ///@}
 
   ///@{
-  /// Pixels of the window between eye rays, along each axis, 1 to 10; between them the picture is
-  /// interpolated, also across edges of opaque geometry, and float images have a value for each ray.
-  /// Default: 1.
+  /// Pixels of the window between eye rays, along each axis, 1 to 10 (default 1); between them the picture
+  /// is interpolated, also across edges of opaque geometry; float images have a value for each ray.
   vtkSetClampMacro(ImageSampleDistance, double, 1, 10);
   vtkGetMacro(ImageSampleDistance, double);
   ///@}
@@ -257,17 +267,15 @@ public:
   ///@}
 
   ///@{
-  /// A ray stops where its transmittance falls below this; the error is at most this fraction of the
-  /// brightest remaining source. 0 never stops early. Outside [0, 1), or NaN: an error at the next
-  /// Render. Default: 1/1024.
+  /// A ray stops where its transmittance falls below this; the error is at most this fraction of the brightest
+  /// remaining source. 0 never stops early. Outside [0, 1), or NaN: an error at the next Render. Default: 1/1024.
   vtkSetMacro(TransmittanceThreshold, double);
   vtkGetMacro(TransmittanceThreshold, double);
   ///@}
 
   ///@{
-  /// Paper: voxels whose scalar is at or above this value are filled (in the data's units). A
-  /// threshold above the data's range, which nothing passes, is an error at the next Render.
-  /// Default: 0.5.
+  /// Paper: voxels whose scalar is at or above this value are filled (in the data's units). A threshold above
+  /// the data's range, which nothing passes, is an error at the next Render. Default: 0.5.
   vtkSetMacro(PaperThreshold, double);
   vtkGetMacro(PaperThreshold, double);
   ///@}
@@ -373,6 +381,8 @@ private:
   int Integrator = ErrorControlled;
   double MaximumError = 1.0 / 255;
   int LightCaches = CachesWhereAccurate;
+  bool OpaqueShadows = false;
+  int OpaqueShadowResolution = 1024;
   bool AutoAdjustSampleDistances = true;
   double ImageSampleDistance = 1;
   double SampleDistance = 0;

@@ -38,6 +38,7 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkAbstractVolumeMapper;
 class vtkImageData;
 class vtkMatrix4x4;
+class vtkProp;
 class vtkRenderer;
 class vtkVolume;
 VTK_ABI_NAMESPACE_END
@@ -175,6 +176,13 @@ public:
     glm::dmat4 LocalToClip{ 1 };
   };
 
+  /// Opaque geometry that stands in the light; valid while the frame is drawn that it was gathered for.
+  struct Caster
+  {
+    vtkProp* Prop = nullptr;
+    vtkMTimeType Time = 0; ///< when what it shows changed last
+  };
+
   Box Geometry;
   Medium Content;
   vtkMediumCut Cut; ///< what is clipped and cropped away
@@ -182,6 +190,8 @@ public:
   /// Array where there are none, which only a vtkParticipatingMedium may do without.
   vtkMediumField Scalars;
   std::vector<Light> Lights;
+  std::vector<Caster>
+    Casters; ///< of shadows into the volume; empty: none, or they are not asked for
   View Eye;
 
   /// Gathers geometry and content from the input, the volume's property and matrix, and the medium
@@ -202,6 +212,9 @@ public:
   /// colours, and the renderer's ambient light, are ignored. A cone of 90 degrees or more is no
   /// spot. After GatherVolume.
   std::string GatherLights(vtkRenderer* renderer);
+
+  /// Gathers the renderer's visible props with opaque geometry: vtkProp3D of every kind but volumes.
+  void GatherCasters(vtkRenderer* renderer);
 
   /// Takes the eye rays from a world-to-clip matrix (OpenGL's clip space, column vectors).
   /// After GatherVolume. Returns what is wrong with the matrix, or an empty string.

@@ -10,6 +10,9 @@ uniform float exactTolerance; // of the pixel's radiance so far
 
 #define EXACT_DEEPEST 11   // halvings of a cell
 #define EXACT_INDICES 2048 // 2^EXACT_DEEPEST
+// Nothing but the samples tells of the shadows of opaque geometry, so parts are no wider than that, local
+// units: of a shadow that is narrower than 1/400 of the volume's diagonal they may tell nothing.
+#define EXACT_WIDEST_SHADOWED (1.0 / 128.0)
 
 // Where a part is sampled, -1...1 over it: near its ends, in its middle, and at the nodes of two-point
 // Gauss-Legendre on its halves, whose sum is the integral. Two combinations of the samples vanish for every
@@ -94,6 +97,9 @@ SPECTRUM exactStep(EyeRay ray, Kept kept, vec3 start, vec3 along, SPECTRUM befor
   bool agree = missed <= 4.0 * exactTolerance &&
     all(lessThanEqual(
       transmittance(before) * part.doubt, exactTolerance * (state.radiance + seen)));
+#ifdef OPAQUE_SHADOWS
+  agree = agree && width <= EXACT_WIDEST_SHADOWED;
+#endif
   if (!agree && place.level < EXACT_DEEPEST)
   {
     place = ExactPlace(place.t, place.level + 1, place.index * 2);

@@ -10,7 +10,7 @@ struct Light
   vec3 point;      // from which the light is seen; local
   vec3 direction;  // unit, from the point towards the light; local
   float distance;  // to the light, local units; huge if directional
-  vec3 irradiance; // on a plane normal to the beam, without the medium
+  vec3 irradiance; // on a plane normal to the beam, without the medium; 0 behind opaque geometry
 };
 
 #define LIGHT_DIRECTIONAL 0.0
@@ -60,6 +60,13 @@ Light lightAt(int number, vec3 middle, vec3 direction, float width)
       light.irradiance *= lightSpot(-dot(light.direction, axis), colour.a, attenuation.w);
     }
 #endif
+  }
+#endif
+#ifdef OPAQUE_SHADOWS
+  if (light.irradiance != vec3(0.0))
+  {
+    vec3 way = place.w == LIGHT_DIRECTIONAL ? vec3(0.0) : light.point - place.xyz;
+    light.irradiance *= shadowMapLit(number, light.point, way);
   }
 #endif
   return light;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
 // SPDX-License-Identifier: BSD-3-Clause
 // What a frame leaves behind in OpenGL, and in memory after many of them.
+#include "OpaquePlane.h"
 #include "StressStage.h"
 
 #include "vtkOpenGLState.h"
@@ -57,6 +58,7 @@ const Field Tracked[] = {
 const Field Bound[] = {
   { GL_BLEND_EQUATION_ALPHA, "blend equation alpha", 1 },
   { GL_BLEND_EQUATION_RGB, "blend equation colour", 1 },
+  { GL_DEPTH_CLAMP, "depth clamp", 1 },
   { GL_DEPTH_CLEAR_VALUE, "clear depth", 1 },
   { GL_DRAW_FRAMEBUFFER_BINDING, "drawn framebuffer", 1 },
   { GL_READ_FRAMEBUFFER_BINDING, "read framebuffer", 1 },
@@ -151,7 +153,7 @@ struct StateWatch
   }
 };
 
-/// A field with lights of each kind, so that every texture is in use.
+/// A field with lights of each kind and opaque geometry in them, so that every texture is in use.
 struct BusyStage : Stage
 {
   explicit BusyStage(Trial& trial, int pixels = 16)
@@ -167,6 +169,10 @@ struct BusyStage : Stage
     this->Mapper->SetMaximumError(0.01);
     this->AddBeam({ 1, -1, -0.3 });
     this->AddPointLight({ 1, 1, 1 });
+    vtkMediumTest::Quad{ { 0.1, 0.1, 0.1 }, { 0.2, 0, 0.1 }, { 0, 0.2, 0.1 } }.AddTo(
+      this->Renderer);
+    this->Mapper->OpaqueShadowsOn();
+    this->Mapper->SetOpaqueShadowResolution(64);
     this->Look({ 0.3, 0.2, -1 }, 2);
     this->SetSteps(0.1, 0.1);
   }
