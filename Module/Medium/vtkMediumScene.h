@@ -37,6 +37,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 class vtkAbstractVolumeMapper;
 class vtkImageData;
+class vtkLight;
 class vtkMatrix4x4;
 class vtkProp;
 class vtkRenderer;
@@ -212,6 +213,10 @@ public:
   /// colours, and the renderer's ambient light, are ignored. A cone of 90 degrees or more is no
   /// spot. After GatherVolume.
   std::string GatherLights(vtkRenderer* renderer);
+
+  /// What one light is. Without a renderer, head- and camera lights stand where they were put last. After
+  /// GatherVolume.
+  std::string ReadLight(vtkRenderer* renderer, vtkLight* source, Light& light) const;
 
   /// Gathers the renderer's visible props with opaque geometry: vtkProp3D of every kind but volumes.
   void GatherCasters(vtkRenderer* renderer);

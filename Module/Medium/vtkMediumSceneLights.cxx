@@ -57,7 +57,8 @@ glm::dvec3 Transform(vtkMatrix4x4* matrix, const glm::dvec3& point)
 // when it renders, so their place is computed from the camera of now.
 void FindPose(vtkRenderer* renderer, vtkLight* light, glm::dvec3& position, glm::dvec3& focus)
 {
-  vtkCamera* camera = renderer->GetLightFollowCamera() && renderer->IsActiveCameraCreated()
+  vtkCamera* camera =
+    renderer && renderer->GetLightFollowCamera() && renderer->IsActiveCameraCreated()
     ? renderer->GetActiveCamera()
     : nullptr;
   vtkMatrix4x4* matrix = light->GetTransformMatrix();
@@ -125,43 +126,54 @@ std::string CheckLight(
 }
 
 //------------------------------------------------------------------------------
+std::string vtkMediumScene::ReadLight(vtkRenderer* renderer, vtkLight* source, Light& light) const
+{
+  glm::dvec3 position, focus;
+  FindPose(renderer, source, position, focus);
+  source->GetDiffuseColor(&light.Irradiance[0]);
+  light.Irradiance *= source->GetIntensity();
+  if (source->GetPositional())
+  {
+    source->GetAttenuationValues(&light.Attenuation[0]);
+    light.Type = source->GetConeAngle() < 90 ? Light::Spot : Light::Point;
+  }
+  std::string problem = CheckLight(light, position, focus);
+  if (!problem.empty())
+  {
+    return problem;
+  }
+
+  const double distance = glm::length(focus - position);
+  if (distance > 0)
+  {
+    light.Direction = (focus - position) / distance;
+  }
+  if (light.Type != Light::Directional)
+  {
+    const double length = this->Geometry.Length;
+    light.Attenuation *= glm::dvec3(1, length, length * length);
+    light.Position = this->Geometry.WorldToLocal(position);
+  }
+  if (light.Type == Light::Spot)
+  {
+    light.CosCone = std::cos(vtkMath::RadiansFromDegrees(source->GetConeAngle()));
+    light.Exponent = source->GetExponent();
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
 std::string vtkMediumScene::GatherLights(vtkRenderer* renderer)
 {
   this->Lights.clear();
   for (vtkLight* source : FindLights(renderer))
   {
     Light light;
-    glm::dvec3 position, focus;
-    FindPose(renderer, source, position, focus);
-    source->GetDiffuseColor(&light.Irradiance[0]);
-    light.Irradiance *= source->GetIntensity();
-    if (source->GetPositional())
-    {
-      source->GetAttenuationValues(&light.Attenuation[0]);
-      light.Type = source->GetConeAngle() < 90 ? Light::Spot : Light::Point;
-    }
-    const std::string problem = CheckLight(light, position, focus);
+    const std::string problem = this->ReadLight(renderer, source, light);
     if (!problem.empty())
     {
       this->Lights.clear();
       return problem;
-    }
-
-    const double distance = glm::length(focus - position);
-    if (distance > 0)
-    {
-      light.Direction = (focus - position) / distance;
-    }
-    if (light.Type != Light::Directional)
-    {
-      const double length = this->Geometry.Length;
-      light.Attenuation *= glm::dvec3(1, length, length * length);
-      light.Position = this->Geometry.WorldToLocal(position);
-    }
-    if (light.Type == Light::Spot)
-    {
-      light.CosCone = std::cos(vtkMath::RadiansFromDegrees(source->GetConeAngle()));
-      light.Exponent = source->GetExponent();
     }
     if (light.Irradiance != glm::dvec3(0))
     {

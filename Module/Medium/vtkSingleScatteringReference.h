@@ -53,7 +53,10 @@
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkDoubleArray;
 class vtkImageData;
+class vtkLight;
+class vtkPoints;
 class vtkRenderer;
 class vtkVolume;
 VTK_ABI_NAMESPACE_END
@@ -159,6 +162,15 @@ public:
   void Transmittance(const double a[3], const double b[3], double rgb[3]);
   double Transmittance(const double a[3], const double b[3]);
   ///@}
+
+  /// The medium's shadow on geometry: fills `transmittance` with the transmittance of the medium between each
+  /// point (world) and a light, a tuple of the three channels for each point, to the tolerance. Multiply a
+  /// surface's share of that light by it. The light's colour, attenuation and cone are not in it, nor opaque
+  /// geometry; a positional light shines from its position, whether it is on or not, and head- and camera
+  /// lights stand as for an image. An array without a name gets the name LightTransmittance. Threaded. On
+  /// error (a missing argument, a light without a place, what prevents an image) returns false and leaves
+  /// the array as it was.
+  bool LightTransmittance(vtkLight* light, vtkPoints* points, vtkDoubleArray* transmittance);
 
   /// Also that of everything that the result depends on.
   vtkMTimeType GetMTime() override;
