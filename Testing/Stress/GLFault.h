@@ -24,6 +24,7 @@ public:
     NoFloatTargets,       ///< a framebuffer with a float attachment is unsupported
     NoMemoryFor3D,        ///< a 3D texture cannot be allocated
     NoMemoryFor2D,        ///< a 2D texture of floats cannot be allocated
+    NoMemoryForDepth,     ///< nor one of float depths
   };
 
   explicit GLFault(Kinds kind)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Row 57: devices that fail. One clear error, the background stays, and what comes next is right.
 #include "GLFault.h"
+#include "OpaquePlane.h"
 #include "StressRefusal.h"
 
 #include <dlfcn.h>
@@ -17,7 +18,9 @@ extern "C" __attribute__((visibility("default"))) void glTexImage2D(GLenum targe
     void (*)(GLenum, GLint, GLint, GLsizei, GLsizei, GLint, GLenum, GLenum, const void*);
   static const Function real = reinterpret_cast<Function>(dlsym(RTLD_NEXT, "glTexImage2D"));
   using vtkMediumStress::GLFault;
-  const bool deny = GLFault::Active() == GLFault::NoMemoryFor2D && format == GL_RGBA32F;
+  const GLFault::Kinds fault = GLFault::Active();
+  const bool deny = (fault == GLFault::NoMemoryFor2D && format == GL_RGBA32F) ||
+    (fault == GLFault::NoMemoryForDepth && format == GL_DEPTH_COMPONENT32F);
   real(deny ? GLenum(GL_NONE) : target, level, format, width, height, border, pixels, type, data);
 }
 
@@ -64,6 +67,26 @@ void CheckFault(Trial& trial, GLFault::Kinds kind, const std::string& word)
     true);
 }
 
+/// No shadow map of geometry out of the view; without these shadows the frame is drawn.
+void CheckShadowMapFault(Trial& trial)
+{
+  std::unique_ptr<GLFault> fault;
+  CheckRefusal(
+    trial, "shadows of opaque geometry",
+    [&](Stage& stage) {
+      vtkMediumTest::Quad{ { -5, 4, -5 }, { 10, 0, 0 }, { 0, 0, 10 } }.AddTo(stage.Renderer);
+      stage.Mapper->OpaqueShadowsOn();
+      fault.reset(new GLFault(GLFault::NoMemoryForDepth));
+    },
+    [&](Stage& stage) {
+      stage.Window->MakeCurrent();
+      fault.reset();
+      stage.Mapper->OpaqueShadowsOff();
+      stage.Watch.Forget();
+    },
+    true);
+}
+
 /// The same program, refused before, compiles once the device can and the resources were released.
 void CheckRecompiles(Trial& trial)
 {
@@ -88,6 +111,7 @@ void Faults(Trial& trial)
   CheckFault(trial, GLFault::NoFloatTargets, "float image");
   CheckFault(trial, GLFault::NoMemoryFor2D, "could not allocate");
   CheckFault(trial, GLFault::NoMemoryFor3D, "could not allocate");
+  CheckShadowMapFault(trial);
 }
 }
 
