@@ -151,11 +151,14 @@ void ApplyRows(const vtkMediumField& field, int component, const Curve& curve, d
 }
 
 //------------------------------------------------------------------------------
-void ReadRows(const vtkMediumField& field, int component, std::vector<float>& values)
+// As parts of the field's range, which a float may not hold, nor tell its ends apart.
+void ReadParts(const vtkMediumField& field, int component, std::vector<float>& values)
 {
-  ForEachRow(field, component, values, [](const std::vector<double>& row, float* target) {
-    std::transform(
-      row.begin(), row.end(), target, [](double value) { return static_cast<float>(value); });
+  const double range = field.Maximum - field.Minimum;
+  ForEachRow(field, component, values, [&](const std::vector<double>& row, float* target) {
+    std::transform(row.begin(), row.end(), target, [&](double value) {
+      return range > 0 ? static_cast<float>((value - field.Minimum) / range) : 0.0f;
+    });
   });
 }
 
@@ -267,11 +270,12 @@ void vtkMediumExtinctionGrid::Project(const vtkMediumScene& scene, int channel)
   const Coefficient& coefficient = scene.Content.Extinction;
   const vtkMediumField& field = scene.Content.Fields[coefficient.FieldIndex];
   std::vector<float> scalars(this->Values.size());
-  ReadRows(field, ComponentOf(coefficient, field, channel), scalars);
+  ReadParts(field, ComponentOf(coefficient, field, channel), scalars);
   const Curve curve(scene.Content, coefficient, channel);
   const double length = scene.Geometry.Length;
-  const vtkMediumExtinctionProjection projection(
-    field.Minimum, field.Maximum, [&](double scalar) { return length * curve(scalar); });
+  const vtkMediumExtinctionProjection projection(0, 1, [&](double part) {
+    return length * curve(field.Minimum + part * (field.Maximum - field.Minimum));
+  });
   projection.Apply(this->Dimensions, scalars, this->Values);
 }
 

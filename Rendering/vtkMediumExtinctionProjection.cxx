@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMediumExtinctionProjection.h"
 
+#include "vtkMediumFunction.h"
+
 #include "vtkSMPTools.h"
 
 #include <glm/common.hpp>
@@ -66,7 +68,7 @@ vtkMediumExtinctionProjection::vtkMediumExtinctionProjection(
   float largest = 0;
   for (int i = 0; i <= Intervals; ++i)
   {
-    const double value = extinction(minimum + (maximum - minimum) * i / Intervals);
+    const double value = extinction(vtkMediumFunction::GetPlace(minimum, maximum, i, Intervals));
     this->Table[i] = static_cast<float>(value);
     largest = std::max(largest, this->Table[i]);
   }

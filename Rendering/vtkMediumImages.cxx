@@ -111,7 +111,8 @@ std::vector<float> vtkMediumImages::Values(const std::vector<float>& radiance,
       const double local =
         first ? hits[i] - scene.Eye.Start : static_cast<double>(hits[i + 1]) - hits[i];
       has = true;
-      value = static_cast<float>(local * scene.Geometry.Length);
+      // Seen from within the medium, a float's rounding may put the first hit before the near plane.
+      value = static_cast<float>(std::max(local, 0.0) * scene.Geometry.Length);
     }
     for (int c = 0; c < 3; ++c)
     {

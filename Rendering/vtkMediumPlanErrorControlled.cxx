@@ -12,9 +12,12 @@ void vtkMediumPlan::PlanErrorControlled(const vtkMediumScene& scene, const Setti
   this->UseBricks = true;
   this->UseTiles = !scene.Content.Altered; // else bricks do not know where there is nothing
   const double voxel = scene.Geometry.VoxelLength / scene.Geometry.Length;
-  this->EyeStep = settings.ControlledStep > 0 ? settings.ControlledStep : voxel;
+  this->EyeStep =
+    std::max(settings.ControlledStep > 0 ? settings.ControlledStep : voxel, ShortestStep);
   this->LeapEyeSteps = this->EyeStep <= LongestLeaptStep * voxel;
-  this->LightStep = settings.ControlledLightStep > 0 ? settings.ControlledLightStep : this->EyeStep;
+  this->LightStep = settings.ControlledLightStep > 0
+    ? std::max(settings.ControlledLightStep, ShortestStep)
+    : this->EyeStep;
 
   // A cache holds one grey optical depth for each lattice point, looked up trilinearly. That of the
   // whole volume is right under a cut where no light ray passes through what is cut away.

@@ -17,12 +17,11 @@ using Coefficient = vtkMediumScene::Coefficient;
 glm::dvec4 DensestSample(const vtkMediumFunction& function, double threshold)
 {
   const std::vector<glm::dvec4>& samples = function.GetSamples();
-  const double range = function.GetMaximum() - function.GetMinimum();
-  const double last = static_cast<double>(samples.size()) - 1;
   glm::dvec4 densest = samples.back();
   for (std::size_t i = 0; i < samples.size(); ++i)
   {
-    const double value = function.GetMinimum() + range * static_cast<double>(i) / last;
+    const double value = vtkMediumFunction::GetPlace(
+      function.GetMinimum(), function.GetMaximum(), i, samples.size() - 1);
     if (value >= threshold && samples[i].w > densest.w)
     {
       densest = samples[i];

@@ -167,8 +167,10 @@ void vtkMediumStepControl::FindLight(double maximumError, const Probes& probes)
 //------------------------------------------------------------------------------
 void vtkMediumStepControl::FindStep(double maximumError, double voxel, const Probes& probes)
 {
-  double step = std::min(CoarsestStep * voxel, CoarsestPart);
-  const double finest = std::min(FinestStep * voxel, FinestPart);
+  // Voxels that are flat beyond measure are not resolved.
+  const double edge = std::max(voxel, vtkMediumPlan::ShortestStep / FinestStep);
+  double step = std::min(CoarsestStep * edge, CoarsestPart);
+  const double finest = std::min(FinestStep * edge, FinestPart);
   Image coarse = probes.InSteps(this->Lighting, step);
   double before = -1; // the change of the halving before
   double ratio = SecondOrder;

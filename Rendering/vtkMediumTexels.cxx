@@ -19,9 +19,7 @@ struct ScaleWorker
     std::atomic<vtkTypeInt64>& nonFinite)
   {
     const auto tuples = vtk::DataArrayTupleRange(array);
-    // Halves, where the range itself is beyond double. A range too small for its inverse is none.
-    const double part = std::isfinite(field.Maximum - field.Minimum) ? 1 : 0.5;
-    const double range = part * field.Maximum - part * field.Minimum;
+    const double range = field.Maximum - field.Minimum; // one too small for its inverse is none
     const double scale = range > std::numeric_limits<double>::min() ? 1 / range : 0;
     vtkSMPTools::For(0, array->GetNumberOfTuples(), [&](vtkIdType begin, vtkIdType end) {
       vtkTypeInt64 bad = 0;
@@ -35,8 +33,7 @@ struct ScaleWorker
             value = value > 0 ? field.Maximum : field.Minimum;
             ++bad;
           }
-          texels[t * field.Components + c] =
-            static_cast<float>((part * value - part * field.Minimum) * scale);
+          texels[t * field.Components + c] = static_cast<float>((value - field.Minimum) * scale);
         }
       }
       nonFinite += bad;

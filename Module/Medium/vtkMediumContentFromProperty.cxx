@@ -55,8 +55,8 @@ std::string CheckSamples(const vtkMediumFunction& function)
   std::ostringstream problem;
   for (std::size_t i = 0; i < samples.size() && problem.str().empty(); ++i)
   {
-    const double value = function.GetMinimum() +
-      (function.GetMaximum() - function.GetMinimum()) * i / (samples.size() - 1);
+    const double value = vtkMediumFunction::GetPlace(
+      function.GetMinimum(), function.GetMaximum(), i, samples.size() - 1);
     for (int c = 0; c < 3 && problem.str().empty(); ++c)
     {
       if (!(samples[i][c] >= 0 && samples[i][c] <= 1 + vtkMediumAlbedoTolerance))
@@ -175,6 +175,11 @@ std::string vtkMediumFieldFromArray(vtkMediumField& field, vtkImageData* input, 
   {
     problem << "The array " << name
             << " has no finite value; every one is NaN or infinite. Give data with finite values.";
+  }
+  else if (!std::isfinite(field.Maximum - field.Minimum))
+  {
+    problem << "The array " << name << " has values from " << field.Minimum << " to "
+            << field.Maximum << ", which are further apart than a double can say; scale them down.";
   }
   return problem.str();
 }

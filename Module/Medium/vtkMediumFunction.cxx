@@ -15,8 +15,7 @@ void vtkMediumFunction::Sample(double minimum, double maximum, std::vector<doubl
   this->Samples.resize(intervals + 1);
   for (int i = 0; i <= intervals; ++i)
   {
-    const double fraction = static_cast<double>(i) / intervals;
-    this->Samples[i] = function(minimum + fraction * (maximum - minimum));
+    this->Samples[i] = function(GetPlace(minimum, maximum, i, intervals));
   }
   std::sort(knots.begin(), knots.end());
   knots.erase(std::unique(knots.begin(), knots.end()), knots.end());
@@ -38,8 +37,8 @@ glm::dvec4 vtkMediumFunction::Evaluate(double value) const
     return this->Samples.front();
   }
   const int last = static_cast<int>(this->Samples.size()) - 1;
-  const double position = std::min(
-    std::max((value - this->Minimum) / (this->Maximum - this->Minimum), 0.0) * last, double(last));
+  const double part = (value - this->Minimum) / (this->Maximum - this->Minimum);
+  const double position = std::min(std::max(0.0, part) * last, double(last)); // 0 of NaN
   const int index = std::min(static_cast<int>(position), last - 1);
   return glm::mix(this->Samples[index], this->Samples[index + 1], position - index);
 }

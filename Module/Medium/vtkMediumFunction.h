@@ -16,6 +16,8 @@
 
 #include <glm/vec4.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -24,12 +26,20 @@ class VTKPARTICIPATINGMEDIUM_EXPORT vtkMediumFunction
 public:
   static constexpr int DefaultIntervals = 4096;
 
-  /// Samples `function` at `intervals` + 1 equally spaced values of [minimum, maximum].
+  /// Samples `function` at `intervals` + 1 equally spaced values of [minimum, maximum], whose width is
+  /// finite.
   /// `knots` are the values in that range where the function is not smooth.
   void Sample(double minimum, double maximum, std::vector<double> knots,
     const std::function<glm::dvec4(double)>& function, int intervals = DefaultIntervals);
 
-  /// Piecewise-linear interpolation of the samples; constant beyond the range.
+  /// Where sample `index` of a table of so many intervals over a range is: never outside of it.
+  static double GetPlace(double minimum, double maximum, std::size_t index, std::size_t intervals)
+  {
+    const double part = static_cast<double>(index) / static_cast<double>(intervals);
+    return std::min(minimum + part * (maximum - minimum), maximum);
+  }
+
+  /// Piecewise-linear interpolation of the samples; constant beyond the range. NaN is taken as the minimum.
   glm::dvec4 Evaluate(double value) const;
 
   double GetMinimum() const { return this->Minimum; }

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace
 {
@@ -25,17 +26,38 @@ std::vector<glm::dvec3> SampleEach(
   std::vector<glm::dvec3> colors(Count);
   for (int i = 0; i < Count; ++i)
   {
-    function->GetColor(minimum + (maximum - minimum) * i / (Count - 1), &colors[i][0]);
+    function->GetColor(vtkMediumFunction::GetPlace(minimum, maximum, i, Count - 1), &colors[i][0]);
   }
   return colors;
 }
 
 //------------------------------------------------------------------------------
+// Whether all nodes have colours of 0 to 1. VTK's search of CIEDE2000 paths reads beyond its memory with others.
+bool HasColors(vtkColorTransferFunction* function)
+{
+  for (int i = 0; i < function->GetSize(); ++i)
+  {
+    double node[6]; // x, r, g, b, midpoint, sharpness
+    function->GetNodeValue(i, node);
+    if (!std::all_of(node + 1, node + 4, [](double c) { return c >= 0 && c <= 1; }))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 // CIEDE2000 searches a path through the colour space for 30 ms or more at each call, so its colours
-// are looked up in one table from the first node to the last, with 16 values for each of ours.
+// are looked up in one table from the first node to the last, with 16 values for each of ours. NaN where there
+// is no such path, which the caller refuses as any other.
 std::vector<glm::dvec3> SampleFromTable(
   vtkColorTransferFunction* function, double minimum, double maximum)
 {
+  if (!HasColors(function))
+  {
+    return std::vector<glm::dvec3>(Count, glm::dvec3(std::numeric_limits<double>::quiet_NaN()));
+  }
   const double first = function->GetRange()[0], last = function->GetRange()[1];
   const bool logarithmic = function->GetScale() == VTK_CTF_LOG10 && first > 0;
   std::vector<glm::dvec3> table(16 * Count), colors(Count);
@@ -51,7 +73,7 @@ std::vector<glm::dvec3> SampleFromTable(
   }
   for (int i = 0; i < Count; ++i)
   {
-    const double value = minimum + (maximum - minimum) * i / (Count - 1);
+    const double value = vtkMediumFunction::GetPlace(minimum, maximum, i, Count - 1);
     if (value < first || value > last)
     {
       colors[i] = value < first ? below : above;

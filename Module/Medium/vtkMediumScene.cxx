@@ -73,6 +73,10 @@ void OrientRays(vtkMediumScene::View& view)
   }
 }
 
+/// The shortest edge of a volume, of its diagonal: its inverse, times that of a matrix that is all but
+/// singular, is a float.
+constexpr double ThinnestBox = 1e-20;
+
 //------------------------------------------------------------------------------
 std::string GatherBox(vtkMediumScene::Box& box, vtkImageData* input, vtkVolume* volume)
 {
@@ -109,6 +113,16 @@ std::string GatherBox(vtkMediumScene::Box& box, vtkImageData* input, vtkVolume* 
   {
     const glm::dvec3 signs(1, corner & 1 ? -1 : 1, corner & 2 ? -1 : 1);
     box.Length = std::max(box.Length, glm::length(worldEdges * signs));
+  }
+  const double thickness = std::min(
+    { glm::length(worldEdges[0]), glm::length(worldEdges[1]), glm::length(worldEdges[2]) });
+  if (!std::isfinite(box.Length) || !(thickness > ThinnestBox * box.Length))
+  {
+    problem << "The volume is " << box.Length << " world units across, but " << thickness
+            << " along its shortest edge; give the image a spacing, and the volume a matrix, of "
+               "which the renderer's floats can hold the ratio (up to "
+            << 1 / ThinnestBox << ").";
+    return problem.str();
   }
   box.Center = glm::dvec3(indexToWorld * glm::dvec4(first + 0.5 * size, 1));
   box.BoxToLocalAxes = worldEdges / box.Length;

@@ -89,7 +89,10 @@ TEST(Pipeline, TimeSeriesCostsAnUploadAndNoCompilation)
     BallScene scene(integrator);
     scene.Render();
     vtkMediumStatistics* statistics = scene.Mapper->GetStatistics();
-    const vtkTypeInt64 compiles = statistics->GetProgramCompiles();
+    vtkTypeInt64 compiles = statistics->GetProgramCompiles();
+    // ErrorControlled's steps may become so short that a software renderer's limit of iterations splits
+    // a march into several draws; the program that carries it from one to the next is compiled once.
+    int carried = integrator == vtkSingleScatteringVolumeMapper::ErrorControlled ? 1 : 0;
     for (int step = 1; step < 5; ++step)
     {
       const vtkTypeInt64 uploads = statistics->GetTextureUploads();
@@ -99,7 +102,10 @@ TEST(Pipeline, TimeSeriesCostsAnUploadAndNoCompilation)
       scene.Mapper->SetInputData(image);
       const Picture picture = scene.Render();
       EXPECT_GT(statistics->GetTextureUploads(), uploads);
-      EXPECT_EQ(statistics->GetProgramCompiles(), compiles);
+      const vtkTypeInt64 more = statistics->GetProgramCompiles() - compiles;
+      EXPECT_LE(more, carried);
+      compiles += more;
+      carried -= static_cast<int>(more);
       BallScene fresh(integrator);
       fresh.Mapper->SetInputData(image);
       EXPECT_LT(Difference(fresh.Render(), picture), 1e-6) << "step " << step;

@@ -287,3 +287,45 @@ TEST_P(ContentFromPropertyErrors, OneMessageNamesTheValueAndTheFix)
 
 INSTANTIATE_TEST_SUITE_P(Bad, ContentFromPropertyErrors, ::testing::ValuesIn(BadProperties),
   [](const ::testing::TestParamInfo<BadProperty>& info) { return info.param.Name; });
+
+// Random bytes found values beyond the range, and NaN of a width beyond double.
+TEST(ContentFromProperty, TablesAreSampledWithinTheirRange)
+{
+  for (const glm::dvec2& range : { glm::dvec2(-0.3, 0.1), { 1e8, 1e8 + 1e-3 }, { -7, 7e307 } })
+  {
+    vtkMediumFunction function;
+    function.Sample(range.x, range.y, {}, [&](double value) {
+      EXPECT_GE(value, range.x);
+      EXPECT_LE(value, range.y);
+      return glm::dvec4(value > range.x ? 1 : 0.25);
+    });
+    const double infinity = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(function.Evaluate(infinity).x, 1);
+    EXPECT_EQ(function.Evaluate(-infinity).x, 0.25);
+    EXPECT_EQ(function.Evaluate(std::nan("")).x, 0.25);
+  }
+}
+
+TEST(ContentFromProperty, ValuesFurtherApartThanADoubleCanSayAreRefused)
+{
+  MediumInput input;
+  const double largest = std::numeric_limits<double>::max();
+  input.Scalars =
+    input.Add("apart", 1, [&](vtkIdType i, int) { return i % 2 ? largest : -largest; });
+  EXPECT_NE(input.GatherProperty().find("further apart"), std::string::npos);
+}
+
+// Random bytes made VTK read beyond its memory here.
+TEST(ContentFromProperty, ColoursBeyondTheColourSpaceAreRefused)
+{
+  for (double bad : { 1e12, -1.0, std::nan("") })
+  {
+    RampInput input;
+    vtkNew<vtkColorTransferFunction> color;
+    color->SetColorSpaceToLabCIEDE2000();
+    color->AddRGBPoint(0, 0.1, 0.2, 0.3);
+    color->AddRGBPoint(Last, 0.9, bad, 0.3);
+    input.Property->SetColor(color);
+    EXPECT_NE(input.GatherProperty().find("colour function"), std::string::npos) << bad;
+  }
+}

@@ -3,6 +3,9 @@
 #include "vtkMediumExtinctionGrid.h"
 #include "vtkMediumFixtures.h"
 
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkShortArray.h"
 
 #include <gtest/gtest.h>
@@ -175,6 +178,47 @@ TEST(ExtinctionGrid, NonAffineFunctionsCastTheRightShadows)
     }
     EXPECT_LT(std::sqrt(errors[1] / errors[0]), row.Improvement);
     EXPECT_GE(grid.GetMinimum(), 0);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Random settings found NaN here. Doubles far from zero, or beyond float, cast the shadows of 0 to 1.
+TEST(ExtinctionGrid, ShadowsDoNotDependOnTheUnitOfTheScalar)
+{
+  const auto values = [](double offset, double scale) {
+    auto image = MakeImage(Cloud, Points, Size);
+    vtkNew<vtkDoubleArray> scalars;
+    vtkDataArray* cloud = image->GetPointData()->GetScalars();
+    for (vtkIdType i = 0; i < cloud->GetNumberOfTuples(); ++i)
+    {
+      scalars->InsertNextValue(offset + scale * cloud->GetTuple1(i));
+    }
+    image->GetPointData()->SetScalars(scalars);
+    vtkMediumScene scene = MakeScene(image, 1);
+    const double first = scene.Content.Fields[0].Minimum;
+    const double range = scene.Content.Fields[0].Maximum - first;
+    vtkMediumFunction function;
+    function.Sample(first, first + range, {}, [&](double value) {
+      const double part = (value - first) / range;
+      return glm::dvec4(part * part);
+    });
+    scene.Content.Functions.assign(1, function);
+    scene.Content.Extinction = Coefficient{ Coefficient::FunctionAlpha, 0, 0, -1, glm::dvec3(3) };
+    vtkMediumExtinctionGrid grid;
+    grid.Build(scene);
+    EXPECT_FALSE(grid.IsAffine());
+    return grid.GetValues();
+  };
+  const std::vector<float> expected = values(0, 1);
+  for (const glm::dvec2& unit : { glm::dvec2(0, 1e-300), { 0, 1e300 }, { 1e9, 1 } })
+  {
+    const std::vector<float> found = values(unit.x, unit.y);
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t i = 0; i < found.size(); ++i)
+    {
+      // 1e9 + 1 keeps seven digits of the 1.
+      ASSERT_NEAR(found[i], expected[i], 1e-5) << i << " of " << unit.x << " + " << unit.y;
+    }
   }
 }
 

@@ -177,6 +177,22 @@ TEST(SceneGeometry, FlatGridsAndSingularMatricesAreRefused)
   EXPECT_EQ(singular.Gather(), "") << "the next valid scene works";
 }
 
+// Random settings found a radiance of NaN here: the box's matrix was beyond float.
+TEST(SceneGeometry, VolumesThinnerThanFloatsCanSayAreRefused)
+{
+  for (double scale : { 1e39, 1e-39, 1e-21 })
+  {
+    Placed thin;
+    thin.Volume->SetScale(scale, 1, 1);
+    EXPECT_NE(thin.Gather().find("along its shortest edge"), std::string::npos) << scale;
+    thin.Volume->SetScale(1, 1, 1);
+    EXPECT_EQ(thin.Gather(), "") << "the next valid scene works";
+  }
+  Placed thick;
+  thick.Volume->SetScale(1e15, 1, 1);
+  EXPECT_EQ(thick.Gather(), "");
+}
+
 TEST(SceneGeometry, PointLatticesEndOnTheFacesAndCellLatticesHalfACellInside)
 {
   vtkMediumField field;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <vector>
 
 namespace
 {
@@ -98,6 +99,65 @@ TEST(StepControl, EndsOnImagesThatDoNotConverge)
   EXPECT_LE(calls, 10);
   EXPECT_GT(control.GetStep(), 0);
   EXPECT_GT(control.GetEstimatedError(), 1e-6) << "it must not claim what it did not reach";
+}
+
+//------------------------------------------------------------------------------
+// Random settings found a number of steps beyond int here.
+TEST(StepControl, PlansNoStepBelowTheShortest)
+{
+  vtkMediumScene scene = MakeScene();
+  scene.Geometry.VoxelLength = 1e-40;
+  for (int integrator : { 1, 2 }) // FixedStep, ErrorControlled
+  {
+    vtkMediumPlan::Settings settings;
+    settings.Integrator = integrator;
+    for (double step : { 0.0, 1e-300 })
+    {
+      settings.ControlledStep = settings.ControlledLightStep = step;
+      const vtkMediumPlan plan(scene, settings, vtkMediumPlan::Capabilities());
+      EXPECT_TRUE(plan.Refusal.empty()) << plan.Refusal;
+      EXPECT_GE(plan.EyeStep, vtkMediumPlan::ShortestStep);
+      EXPECT_GE(plan.LightStep, vtkMediumPlan::ShortestStep);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(StepControl, DoesNotResolveVoxelsThatAreFlatBeyondMeasure)
+{
+  vtkMediumStepControl control;
+  double shortest = 1;
+  int number = 0;
+  control.Calibrate(MakeScene(), 1e-3, 1e-40, Marched([&](double step) {
+    shortest = std::min(shortest, step);
+    const float wrong = ++number % 2 ? 0.5f : 1; // never converges
+    return Image{ float(Peak), float(Peak), float(Peak), 1, wrong, 0, 0, 1 };
+  }));
+  EXPECT_GT(shortest, 0.4 * vtkMediumPlan::ShortestStep);
+  EXPECT_LT(number, 20);
+}
+
+//------------------------------------------------------------------------------
+// Two steps that err by the same, as when all rays meet a kink at the same place of a step.
+TEST(StepControl, DoesNotBelieveAChangeThatVanishesAtOnce)
+{
+  vtkMediumStepControl control;
+  const double maximum = 1e-3;
+  int number = 0;
+  const double errors[] = { 0.5, 0.1, 0.1, 0.02, 0.005, 0.00125, 0.0003, 0.0001, 0.00003, 0.00001 };
+  std::vector<double> steps;
+  control.Calibrate(MakeScene(), maximum, 0.0625, Marched([&](double step) {
+    steps.push_back(step);
+    const float wrong = static_cast<float>(0.5 * Peak * (1 + 2 * errors[number++]));
+    const float bright = static_cast<float>(Peak);
+    return Image{ bright, bright, bright, 1, wrong, 0, 0, 1 };
+  }));
+  EXPECT_LT(control.GetStep(), steps[2]);
+  EXPECT_GT(number, 4);
+  const auto taken = std::find_if(
+    steps.begin(), steps.end(), [&](double step) { return step <= control.GetStep(); });
+  const double before = errors[taken - steps.begin() - 1];
+  EXPECT_LE(before, 4 * maximum) << "of the step before the one that was taken";
 }
 
 //------------------------------------------------------------------------------
