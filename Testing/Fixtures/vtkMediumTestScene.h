@@ -74,7 +74,7 @@ inline vtkSmartPointer<vtkImageData> MakeBox(
 
 struct Scene
 {
-  vtkNew<vtkRenderWindow> Window;
+  vtkSmartPointer<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkCamera> Camera;
   vtkNew<vtkVolume> Volume;
@@ -84,8 +84,11 @@ struct Scene
   int Pixels;
   std::vector<std::string> Errors; ///< that the mapper reported, in order
 
-  explicit Scene(vtkImageData* image, int pixels = 32)
-    : Pixels(pixels)
+  /// In a window of its own, or in one that other scenes had before.
+  explicit Scene(vtkImageData* image, int pixels = 32, vtkRenderWindow* window = nullptr)
+    : Window(window ? window : vtkSmartPointer<vtkRenderWindow>::New().Get())
+    , Pixels(pixels)
+    , Borrowed(window != nullptr)
   {
     this->Mapper->SetInputData(image);
     this->Mapper->SetMedium(this->Medium);
@@ -109,7 +112,14 @@ struct Scene
     this->Listener = this->Mapper->AddObserver(vtkCommand::ErrorEvent, listener);
   }
 
-  ~Scene() { this->Mapper->RemoveObserver(this->Listener); }
+  ~Scene()
+  {
+    this->Mapper->RemoveObserver(this->Listener);
+    if (this->Borrowed)
+    {
+      this->Window->RemoveRenderer(this->Renderer);
+    }
+  }
 
   /// Looks along `direction` at `focus` from `distance` before it.
   void Look(const glm::dvec3& direction, double distance, const glm::dvec3& focus = glm::dvec3(0))
@@ -187,6 +197,7 @@ struct Scene
   }
 
 private:
+  bool Borrowed;
   unsigned long Listener = 0;
 };
 }

@@ -21,17 +21,21 @@ constexpr int Types[] = { VTK_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_S
 }
 
 //------------------------------------------------------------------------------
-FuzzedScene::FuzzedScene(unsigned seed)
+FuzzedScene::FuzzedScene(unsigned seed, vtkRenderWindow* window)
   : Generator(seed)
   , Printed(new PrintedErrors)
-  , Scene(new vtkMediumTest::Scene(vtkMediumTest::MakeBox(), 4 + static_cast<int>(seed % 13)))
+  , Scene(
+      new vtkMediumTest::Scene(vtkMediumTest::MakeBox(), 4 + static_cast<int>(seed % 13), window))
 {
   this->Watch.Start(this->Scene->Window);
+  this->Interruptions = this->Chance(0.2) ? 0.3 : 0;
+  this->Listen();
 }
 
 //------------------------------------------------------------------------------
 FuzzedScene::~FuzzedScene()
 {
+  this->Interruptions = 0;
   this->Watch.Stop(this->Scene->Window);
 }
 
@@ -134,7 +138,6 @@ void FuzzedScene::ChangeMapper()
   mapper->SetAnisotropy(this->Or(2 * this->Unit() - 1));
   mapper->SetMaximumError(this->Or(0.003 + 0.1 * this->Unit()));
   mapper->SetLightCaches(this->Whole(3));
-  // An odd step that is tiny asks for a hundred thousand samples, and gets them.
   const double odd[] = { 0, -1, 1e300, std::numeric_limits<double>::infinity(), std::nan("") };
   const double eye = this->Size * (0.05 + 0.5 * this->Unit()),
                light = this->Size * (0.1 + this->Unit());
@@ -263,13 +266,34 @@ void FuzzedScene::ChangeCamera()
 }
 
 //------------------------------------------------------------------------------
+/// A step that is tiny asks for a hundred thousand samples, and gets them: not here.
+void FuzzedScene::LengthenSteps()
+{
+  double bounds[6];
+  this->Scene->Volume->GetBounds(bounds);
+  const double least =
+    glm::length(glm::dvec3(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4])) /
+    50;
+  vtkSingleScatteringVolumeMapper* mapper = this->Scene->Mapper;
+  if (mapper->GetSampleDistance() >= 0 && mapper->GetSampleDistance() < least)
+  {
+    mapper->SetSampleDistance(least);
+  }
+  if (mapper->GetLightSampleDistance() >= 0 && mapper->GetLightSampleDistance() < least)
+  {
+    mapper->SetLightSampleDistance(least);
+  }
+}
+
+//------------------------------------------------------------------------------
 std::string FuzzedScene::Frame(int number)
 {
   const bool first = number == 0;
   using Change = void (FuzzedScene::*)();
-  for (Change change : { &FuzzedScene::ChangeImage, &FuzzedScene::ChangeMatrix,
-         &FuzzedScene::ChangeMapper, &FuzzedScene::ChangeCuts, &FuzzedScene::ChangeMedium,
-         &FuzzedScene::ChangeProperty, &FuzzedScene::ChangeLights, &FuzzedScene::ChangeCamera })
+  for (Change change :
+    { &FuzzedScene::ChangeImage, &FuzzedScene::ChangeMatrix, &FuzzedScene::ChangeMapper,
+      &FuzzedScene::ChangeCuts, &FuzzedScene::ChangeMedium, &FuzzedScene::ChangeProperty,
+      &FuzzedScene::ChangeLights, &FuzzedScene::ChangeCamera, &FuzzedScene::ChangeRest })
   {
     if (first || this->Chance(0.3))
     {
@@ -280,15 +304,23 @@ std::string FuzzedScene::Frame(int number)
   {
     this->Scene->Mapper->ReleaseGraphicsResources(this->Scene->Window);
   }
+  this->LengthenSteps();
   this->Scene->Errors.clear();
+  this->Interrupted = false;
   this->Scene->Window->Render();
+  this->Scene->Window->SetAbortRender(0);
   this->Refused = !this->Scene->Errors.empty();
   vtkNew<vtkImageData> image;
   if (!this->Refused && this->Scene->Mapper->GetStatistics()->GetFrames() > 0)
   {
     this->Scene->Mapper->GetColorImage(image);
   }
-  return this->Judge(Picture(image));
+  const std::string problem = this->Judge(Picture(image));
+  if (problem.empty())
+  {
+    this->Ask();
+  }
+  return problem;
 }
 
 //------------------------------------------------------------------------------
@@ -299,7 +331,12 @@ std::string FuzzedScene::Judge(const Picture& picture)
   {
     return "OpenGL: " + this->Watch.Look()[0];
   }
-  if (this->Scene->Errors.size() > 1)
+  if (this->Interrupted) // errors and numbers may be of either of two settings
+  {
+    return {};
+  }
+  const std::size_t eyes = this->Scene->Window->GetStereoRender() ? 2 : 1;
+  if (this->Scene->Errors.size() > eyes)
   {
     return "more than one error: " + this->Scene->Errors[0] + " / " + this->Scene->Errors[1];
   }

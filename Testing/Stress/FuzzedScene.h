@@ -21,11 +21,15 @@ class FuzzedScene
 public:
   static constexpr int Frames = 3; ///< of a setting; each changes some of what the one before set
 
-  explicit FuzzedScene(unsigned seed);
+  /// In a window of its own, or in one that others had before, which is much faster.
+  explicit FuzzedScene(unsigned seed, vtkRenderWindow* window = nullptr);
   ~FuzzedScene();
 
   /// Sets, renders and looks. Empty, or what is wrong.
   std::string Frame(int number);
+
+  /// The setting as it is now, as VTK prints it.
+  std::string Describe();
 
   /// Whether the last frame was refused.
   bool WasRefused() const { return this->Refused; }
@@ -46,6 +50,11 @@ private:
   void ChangeProperty();
   void ChangeLights();
   void ChangeCamera();
+  void ChangeRest();
+  void Listen();
+  void Interrupt();
+  void Ask();
+  void LengthenSteps();
   std::string Judge(const vtkMediumTest::Picture& picture);
 
   std::mt19937 Generator;
@@ -54,6 +63,8 @@ private:
   GLWatch Watch;
   double Size = 1; ///< of the volume's longest edge
   bool Refused = false;
+  double Interruptions = 0; ///< how probable one is at each event of this setting
+  bool Interrupted = false; ///< in this frame
 };
 }
 

@@ -4,8 +4,8 @@
  * @file GLFault.h
  * @brief Makes one OpenGL call fail as long as it exists: what a device may do, on a device that does not.
  *
- * The loader's pointers are replaced. The one of OpenGL 1.1 among them, glTexImage2D, is called directly
- * by VTK and is replaced by this program's own symbol, see RowsFaults.cxx.
+ * The loader's pointers are replaced. Those of OpenGL 1.1 among them, glTexImage2D and glGetIntegerv, are
+ * called directly and are replaced by this program's own symbols, see RowsFaults.cxx.
  */
 #ifndef GLFault_h
 #define GLFault_h
@@ -25,6 +25,7 @@ public:
     NoMemoryFor3D,        ///< a 3D texture cannot be allocated
     NoMemoryFor2D,        ///< a 2D texture of floats cannot be allocated
     NoMemoryForDepth,     ///< nor one of float depths
+    NoTextures3D,         ///< the largest 3D texture has no texels
   };
 
   explicit GLFault(Kinds kind)

@@ -9,7 +9,7 @@
 
 #include <memory>
 
-/// Stands before libGL's in the order of symbols, for VTK's libraries too.
+/// These two stand before those of libGL in the order of symbols, for VTK's libraries too.
 extern "C" __attribute__((visibility("default"))) void glTexImage2D(GLenum target, GLint level,
   GLint format, GLsizei width, GLsizei height, GLint border, GLenum pixels, GLenum type,
   const void* data)
@@ -22,6 +22,18 @@ extern "C" __attribute__((visibility("default"))) void glTexImage2D(GLenum targe
   const bool deny = (fault == GLFault::NoMemoryFor2D && format == GL_RGBA32F) ||
     (fault == GLFault::NoMemoryForDepth && format == GL_DEPTH_COMPONENT32F);
   real(deny ? GLenum(GL_NONE) : target, level, format, width, height, border, pixels, type, data);
+}
+
+extern "C" __attribute__((visibility("default"))) void glGetIntegerv(GLenum name, GLint* value)
+{
+  using Function = void (*)(GLenum, GLint*);
+  static const Function real = reinterpret_cast<Function>(dlsym(RTLD_NEXT, "glGetIntegerv"));
+  real(name, value);
+  using vtkMediumStress::GLFault;
+  if (GLFault::Active() == GLFault::NoTextures3D && name == GL_MAX_3D_TEXTURE_SIZE)
+  {
+    *value = 0;
+  }
 }
 
 namespace vtkMediumStress
@@ -112,6 +124,7 @@ void Faults(Trial& trial)
   CheckFault(trial, GLFault::NoMemoryFor2D, "could not allocate");
   CheckFault(trial, GLFault::NoMemoryFor3D, "could not allocate");
   CheckShadowMapFault(trial);
+  CheckFault(trial, GLFault::NoTextures3D, "largest 3D texture has 0");
 }
 }
 
@@ -119,7 +132,8 @@ std::vector<Row> FaultRows()
 {
   return {
     { 57, "FailingDevicesAreReportedOnce",
-      "E: no compiler, no float targets, no memory for 2D and 3D textures", Faults, {} },
+      "E: no compiler, no float targets, no memory for 2D and 3D textures, no 3D textures", Faults,
+      {} },
   };
 }
 }

@@ -206,9 +206,7 @@ std::vector<Row> OpticalDepthRows()
     { 2, "RadianceIsTruthA",
       "Q; Paper: its left Riemann sum errs by σh; ErrorControlled: 1e-4 of the peak, found by "
       "probes",
-      ThickRadiance, {},
-      { { Mapper::ErrorControlled, { 101, FinestSteps } },
-        { Mapper::Exact, { 34, LargeCells } } } },
+      ThickRadiance, {}, { { Mapper::ErrorControlled, { 101, FinestSteps } } } },
     { 3, "OpaqueMediaReachTheirLimit",
       "T ≤ 2e-35, exp(-80); Q where a step resolves a free path, else at most the limit p E / 2",
       OpaqueLimits, {},

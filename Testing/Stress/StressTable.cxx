@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iomanip>
+#include <iostream>
 #include <sstream>
 
 namespace vtkMediumStress
@@ -156,8 +157,8 @@ void Trial::Holds(bool holds, const std::string& what)
   }
 }
 
-/// The OpenGL renderer's own name, as the first record.
-static void WriteRenderer()
+/// The OpenGL renderer's own name.
+static std::string FindRenderer()
 {
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);
@@ -165,8 +166,27 @@ static void WriteRenderer()
   const std::string words = window->ReportCapabilities(), label = "OpenGL renderer string:";
   const std::size_t at = words.find(label) + label.size();
   const std::string name = words.substr(at, words.find('\n', at) - at);
+  return name.substr(name.find_first_not_of(' '));
+}
+
+/// Whether the renderer is the one that the environment's STRESS_RENDERER names, if it names one.
+static bool HasRenderer()
+{
+  const char* wanted = std::getenv("STRESS_RENDERER");
+  const std::string name = wanted ? FindRenderer() : std::string();
+  if (!wanted || name.find(wanted) != std::string::npos)
+  {
+    return true;
+  }
+  std::cout << "skipped: the OpenGL renderer is " << name << ", not " << wanted << "\n";
+  return false;
+}
+
+/// As the first record.
+static void WriteRenderer()
+{
   std::ofstream(std::getenv("STRESS_RESULTS"), std::ios::app)
-    << "{\"renderer\": " << Quoted(name.substr(name.find_first_not_of(' '))) << "}\n";
+    << "{\"renderer\": " << Quoted(FindRenderer()) << "}\n";
 }
 
 static void WriteLeftOut()
@@ -185,6 +205,10 @@ int main(int argc, char** argv)
 {
   testing::InitGoogleTest(&argc, argv);
   vtkMediumStress::Register();
+  if (!testing::GTEST_FLAG(list_tests) && !vtkMediumStress::HasRenderer())
+  {
+    return 77; // ctest's SKIP_RETURN_CODE
+  }
   if (std::getenv("STRESS_RESULTS") && !testing::GTEST_FLAG(list_tests))
   {
     vtkMediumStress::WriteRenderer();

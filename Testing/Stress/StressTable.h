@@ -92,9 +92,6 @@ constexpr const char* DrawsHomogeneous = "draws homogeneous media only, by its d
 constexpr const char* FinestSteps = "the finest step is 1/512 of the diagonal: in a volume of an "
                                     "optical depth of 20 and more the first "
                                     "free path is not resolved to 1e-4 of the peak";
-constexpr const char* LargeCells = "in cells of a third of the volume, light that enters by "
-                                   "another face from within the cell on errs by "
-                                   "up to 0.3 % in a homogeneous medium";
 constexpr const char* ChoosesSteps = "chooses its steps itself";
 }
 

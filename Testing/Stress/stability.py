@@ -9,9 +9,11 @@ import sys
 from pathlib import Path
 
 INTEGRATORS = ("Paper", "FixedStep", "ErrorControlled", "Exact")
-#: Rows of the matrix that no cell measures, and where they are looked at instead.
+#: Rows of the matrix that are looked at elsewhere too.
 ELSEWHERE = {
-    58: "Random settings, by `Testing/Stress/fuzz`; `Stress/Row58_RandomSettingsAreDrawnOrRefused` is a slice.",
+    58: "10,000 random settings: see the [fuzzing page](fuzzing.md); the cell in the table is 200 of them.",
+    59: "Also on softpipe, Mesa's interpreter: the test `Stress.Softpipe` runs rows 4, 10 to 12, 19, 24, 25, 45 "
+        "and 57 there.",
 }
 
 
@@ -83,7 +85,7 @@ Left out, because the integrator
 
 {left_out}
 
-Rows of the matrix without a cell:
+Beside the cells:
 
 {elsewhere}
 """
