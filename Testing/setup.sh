@@ -10,7 +10,7 @@ packages_build=(libvtk9-dev python3-vtk9 libglm-dev g++ cmake ninja-build
   libgl1-mesa-dri libegl1 xvfb xauth)
 # shellcheck disable=SC2034
 packages_test=(libgtest-dev python3-venv python3-numpy) \
-  packages_examples=(invesalius-examples) \
+  packages_examples=(invesalius-examples) packages_fuzz=(clang libclang-rt-dev) \
   packages_style=(clang-format clang-tidy codespell shellcheck)
 
 project=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -61,6 +61,16 @@ build() {
   cd "$project" || exit
   cmake --preset "$preset" "$@" | sed -E '/^-- (Found|Performing|Looking|Detecting|Check)/d'
   cmake --build --preset "$preset" --parallel "$(nproc)"
+  echo "Built in $((SECONDS - start)) s"
+}
+
+# build_targets PRESET TARGET...: the same, of some targets only.
+build_targets() {
+  local preset=$1 start=$SECONDS; shift
+  say "Building into build/$preset"
+  cd "$project" || exit
+  cmake --preset "$preset" -DPARTICIPATING_MEDIA_BUILD_TESTING=ON >/dev/null
+  cmake --build --preset "$preset" --parallel "$(nproc)" --target "$@" | tail -n 1
   echo "Built in $((SECONDS - start)) s"
 }
 
