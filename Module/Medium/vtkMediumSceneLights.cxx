@@ -12,6 +12,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <vector>
@@ -80,6 +81,9 @@ void FindPose(vtkRenderer* renderer, vtkLight* light, glm::dvec3& position, glm:
   }
 }
 
+/// Colour x intensity: a float holds it, and leaves room for what a phase function and a near light multiply.
+constexpr double BrightestLight = 1e30;
+
 //------------------------------------------------------------------------------
 bool IsFinite(const glm::dvec3& v)
 {
@@ -109,6 +113,12 @@ std::string CheckLight(
   {
     problem << "A light's diffuse colour times its intensity is " << E
             << "; set finite values >= 0.";
+  }
+  else if (std::max({ E.x, E.y, E.z }) > BrightestLight)
+  {
+    problem << "A light's diffuse colour times its intensity is " << E
+            << ", of which the radiance is beyond a float; set values up to " << BrightestLight
+            << ".";
   }
   else if (light.Type != Light::Point && !(glm::length(focus - position) > 0))
   {

@@ -243,6 +243,7 @@ TEST(SceneLights, BadLightsAreRefusedByName)
     { [](vtkLight* l) { l->SetPosition(0, 0, 0); }, "need" },
     { [](vtkLight* l) { l->SetIntensity(-2); }, "-8" },
     { [](vtkLight* l) { l->SetIntensity(std::nan("")); }, "nan" },
+    { [](vtkLight* l) { l->SetIntensity(1e300); }, "beyond a float" },
     { [=](vtkLight* l) { l->SetPosition(infinite, 0, 0); }, "inf" },
     { [](vtkLight* l) {
        l->PositionalOn();
