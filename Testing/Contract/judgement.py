@@ -8,8 +8,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-# Eight bits, and VTK's midpoint-free sum over steps of a quarter of a voxel.
-MEAN_DIFFERENCE = 0.004
+# A quarter of an eight-bit step over the picture; both sum over steps far shorter than a voxel.
+MEAN_DIFFERENCE = 0.001
 # A pixel belongs to a silhouette where it differs from the picture without the volume by so much.
 SEEN = 4 / 255
 # The radiance of faint parts is not the same measure in both, and so is where it falls below SEEN.
