@@ -91,6 +91,15 @@ bool IsFinite(const glm::dvec3& v)
 }
 
 //------------------------------------------------------------------------------
+// The unit vector from one place to another, whose square may be beyond a double; 0 if they are the same.
+glm::dvec3 FindDirection(const glm::dvec3& from, const glm::dvec3& to)
+{
+  const glm::dvec3 way = 0.5 * to - 0.5 * from;
+  const double largest = std::max({ std::abs(way.x), std::abs(way.y), std::abs(way.z) });
+  return largest > 0 ? glm::normalize(way / largest) : glm::dvec3(0);
+}
+
+//------------------------------------------------------------------------------
 std::ostream& operator<<(std::ostream& out, const glm::dvec3& v)
 {
   return out << "(" << v.x << ", " << v.y << ", " << v.z << ")";
@@ -120,7 +129,7 @@ std::string CheckLight(
             << ", of which the radiance is beyond a float; set values up to " << BrightestLight
             << ".";
   }
-  else if (light.Type != Light::Point && !(glm::length(focus - position) > 0))
+  else if (light.Type != Light::Point && FindDirection(position, focus) == glm::dvec3(0))
   {
     problem << "A light has its position and its focal point both at " << position
             << "; a directional or spot light needs them apart, for its direction.";
@@ -153,10 +162,10 @@ std::string vtkMediumScene::ReadLight(vtkRenderer* renderer, vtkLight* source, L
     return problem;
   }
 
-  const double distance = glm::length(focus - position);
-  if (distance > 0)
+  const glm::dvec3 direction = FindDirection(position, focus);
+  if (direction != glm::dvec3(0))
   {
-    light.Direction = (focus - position) / distance;
+    light.Direction = direction;
   }
   if (light.Type != Light::Directional)
   {

@@ -271,3 +271,15 @@ TEST(SceneLights, BadLightsAreRefusedByName)
     EXPECT_EQ(scene.Scene.Lights.size(), 1u);
   }
 }
+
+// Random bytes found directions of NaN here.
+TEST(SceneLights, PlacesWhoseSquareIsBeyondADoubleHaveADirection)
+{
+  for (double far : { 1e-300, 1e200, 1e308 })
+  {
+    LitScene scene;
+    scene.Add({ 0, 0.3 * far, 0 }, { -far, -far, 0 });
+    const glm::dvec3 way = scene.Only().Direction;
+    ExpectNear(way, glm::normalize(glm::dvec3(-1, -1.3, 0)));
+  }
+}
