@@ -6,9 +6,9 @@
 #include "vtkMatrix4x4.h"
 #include "vtkMediumOpenGL.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLRenderer.h"
 #include "vtkOpenGLState.h"
 #include "vtkProp.h"
-#include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
@@ -213,8 +213,9 @@ void vtkMediumShadowMap::DrawView(
     const double unit = i % 4 < 3 ? box.Length : 1; // world to local
     projection->SetElement(i / 4, i % 4, view.Projection[i % 4][i / 4] / unit);
   }
-  // A renderer of its own, for observers of the user's are told of each camera that it gets.
-  vtkNew<vtkRenderer> renderer;
+  // A renderer of its own, for observers of the user's are told of each camera that it gets. It has no
+  // lights, and must know so: without a colour, VTK's shaders may discard a surface as transparent.
+  vtkNew<vtkOpenGLRenderer> renderer;
   vtkNew<vtkCamera> camera;
   camera->SetPosition(eye.x, eye.y, eye.z);
   camera->SetFocalPoint(focus.x, focus.y, focus.z);
@@ -224,6 +225,8 @@ void vtkMediumShadowMap::DrawView(
   camera->UseExplicitProjectionTransformMatrixOn();
   renderer->SetRenderWindow(this->Window);
   renderer->SetActiveCamera(camera);
+  renderer->AutomaticLightCreationOff();
+  renderer->UpdateLights();
   for (const vtkMediumScene::Caster& caster : scene.Casters)
   {
     caster.Prop->RenderOpaqueGeometry(renderer);
