@@ -52,7 +52,7 @@ public:
     double ControlledLightStep = 0; ///< ErrorControlled: of marched light rays; 0: the eye's
     double ControlledStep =
       0; ///< ErrorControlled: the step that was found, local units; 0: a voxel
-    std::shared_ptr<const vtkMediumUserCode> UserCode;    ///< null: none
+    std::shared_ptr<const vtkMediumUserCode> UserCode; ///< null: none
     int OpaqueShadowResolution =
       1024; ///< pixels along the edge of a light's view of opaque geometry
     vtkTypeInt64 LightCacheBytes = vtkTypeInt64(1) << 30; ///< the most that light caches may take
@@ -120,8 +120,8 @@ public:
   /// Empty, or why the frame cannot be drawn right: what was found, expected, and what to do.
   std::string Refusal;
 
-  bool UseBricks = false; ///< bricks are built
-  bool UseTiles = false;  ///< eye rays keep to the tiles that bricks were projected to
+  bool UseBricks = false;    ///< bricks are built
+  bool UseTiles = false;     ///< eye rays keep to the tiles that bricks were projected to
   bool LeapEyeSteps = false; ///< and leap the empty bricks between; light rays always do
   int CachedLights = 0; ///< the first so many lights have a light cache; 0: light rays are marched
   bool QuickCaches = false; ///< light caches are built quickly rather than exactly

@@ -27,8 +27,9 @@
  * do; the frame keeps its background and the next valid frame is drawn. A cause that persists is
  * reported once, until it changes or a frame succeeds. Refused are: an input that is not a
  * vtkImageData, has no scalars, has fewer than two points along an axis or a singular matrix; blend
- * modes other than composite; a gradient opacity other than 1 and two-dimensional transfer functions; clipping planes and cropping planes that are none; depth peeling of
- * volumes; a window that is not OpenGL 3.2; and the parameter values named below.
+ * modes other than composite; a gradient opacity other than 1 and two-dimensional transfer functions;
+ * clipping and cropping planes that are none; depth peeling of volumes; a window that is not OpenGL 3.2;
+ * and the parameter values named below.
  *
  * @par Clipping and cropping
  * Clipping planes (AddClippingPlane; world coordinates; kept is the side that the normal points to) and
@@ -37,9 +38,7 @@
  * exactly at the planes, whatever the step. At most 16 planes may cut the volume, the faces of a cropped
  * box among them; planes beside it do not count. Not taken, and refused by an error: a plane with numbers
  * that are not finite, a zero normal or a transform, and cropping planes in the wrong order. Moving a plane
- * builds nothing and compiles nothing, but that ErrorControlled finds its step anew (which may need a march
- * over several draws, another program) and builds its light caches anew where a light ray may pass through
- * what is cut away.
+ * builds nothing, but that ErrorControlled finds its step anew, and light caches where light is cut.
  *
  * @par Blend modes
  * Composite blending is what a medium does; the other modes of vtkVolumeMapper combine scalars along a ray,
@@ -335,26 +334,22 @@ public:
   ///@}
 
   /// The last frame as float RGBA, linear and premultiplied, of the viewport's size, first row at the
-  /// bottom. Radiance: R, G, B, alpha. Other outputs: their value in R, G and B, with alpha 1 where the
-  /// ray has one and all 0 where it has none; Transmittance and OpticalDepth have one on every ray, 1
-  /// and 0 where it misses the volume. An error if no frame has been rendered.
+  /// bottom; an error if there is none. Outputs but Radiance: their value in R, G and B, with alpha 1 where
+  /// the ray has one, else all 0; Transmittance and OpticalDepth have one on every ray.
   void GetColorImage(vtkImageData* image);
 
-  /// The window depth (0 near plane, 1 far plane) of the first point of the medium on each eye ray, 1
-  /// where the ray missed it, one float; see FirstHit for the distance in world units.
+  /// The window depth (0 near plane, 1 far) of the first point of the medium on each eye ray, else 1.
   void GetDepthImage(vtkImageData* image);
 
   /// Counters and times of what the mapper did. Never null.
   vtkMediumStatistics* GetStatistics();
 
-  /// Takes the settings of another mapper, its medium and its input connection, but none of what it
-  /// built or drew. Of a volume mapper of another kind, what all volume mappers have.
+  /// Takes the settings of another volume mapper, its medium and input connection, not what it drew.
   void ShallowCopy(vtkAbstractMapper* mapper) override;
 
-  /// Draws a frame. Events: VolumeMapperRenderStartEvent; VolumeMapperRenderProgressEvent after each
-  /// draw that the march was split over, with a pointer to the fraction that is done, a double (none
-  /// where the last frame is shown again); and VolumeMapperRenderEndEvent. After each draw the window's
-  /// CheckAbortStatus is asked: an aborted frame is not shown and leaves no image.
+  /// Draws a frame. Events: VolumeMapperRenderStartEvent; VolumeMapperRenderProgressEvent after each draw
+  /// of a march that is integrated, with a pointer to the fraction done (double); VolumeMapperRenderEndEvent.
+  /// After each draw CheckAbortStatus is asked: an aborted frame is not shown and leaves no image.
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
   vtkMTimeType GetMTime() override;
