@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMediumStepControl.h"
 
+#include "vtkMediumStructure.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -14,7 +16,8 @@ constexpr double FinestStep = 1.0 / 16; // voxels
 // The same for a lattice of few voxels, in diagonals of the box: several steps differ from one, and a
 // dense medium is resolved however large its voxels are.
 constexpr double CoarsestPart = 1.0 / 16;
-constexpr double FinestPart = 1.0 / 1024;
+constexpr double FinestPart = 1.0 / 512;
+constexpr double FinestPartIfConstant = 1.0 / 1024; // where light rays are one segment
 constexpr double StepSafety = 1.5;   // the worst pixel against the worst probe of many
 constexpr double CacheSafety = 2;    // the same, of few
 constexpr double SlowestOrder = 1.4; // least ratio of successive changes that is believed
@@ -112,7 +115,11 @@ void vtkMediumStepControl::Calibrate(
   this->Caches = probes.Caches;
   ++this->Calibrations;
   const double lit = std::min(this->Lighting.Error, CacheShare * maximumError);
-  this->FindStep(maximumError - lit, voxel, probes);
+  const bool constant = vtkMediumStructure::HasConstantExtinction(scene.Content);
+  // Voxels that are flat beyond measure are not resolved.
+  const double edge = std::max(voxel, vtkMediumPlan::ShortestStep / FinestStep);
+  this->FindStep(maximumError - lit, std::min(CoarsestStep * edge, CoarsestPart),
+    std::min(FinestStep * edge, constant ? FinestPartIfConstant : FinestPart), probes);
   this->Error += this->Lighting.Error;
   this->Found.push_back({ scene.Eye.Origin, FindAxis(scene.Eye), this->Step, this->Error });
 }
@@ -165,12 +172,10 @@ void vtkMediumStepControl::FindLight(double maximumError, const Probes& probes)
 }
 
 //------------------------------------------------------------------------------
-void vtkMediumStepControl::FindStep(double maximumError, double voxel, const Probes& probes)
+void vtkMediumStepControl::FindStep(
+  double maximumError, double coarsest, double finest, const Probes& probes)
 {
-  // Voxels that are flat beyond measure are not resolved.
-  const double edge = std::max(voxel, vtkMediumPlan::ShortestStep / FinestStep);
-  double step = std::min(CoarsestStep * edge, CoarsestPart);
-  const double finest = std::min(FinestStep * edge, FinestPart);
+  double step = coarsest;
   Image coarse = probes.InSteps(this->Lighting, step);
   double before = -1; // the change of the halving before
   double ratio = SecondOrder;

@@ -94,7 +94,8 @@ private:
   };
 
   void FindLight(double maximumError, const Probes& probes);
-  void FindStep(double maximumError, double voxel, const Probes& probes);
+  /// The longest step, from the coarsest on, that keeps the error; about the finest if none does.
+  void FindStep(double maximumError, double coarsest, double finest, const Probes& probes);
 
   vtkMediumSignature Signature;
   std::vector<Calibration> Found; ///< of this signature, error and use of caches
