@@ -182,7 +182,9 @@ void FillFunction(Bytes& bytes, vtkPiecewiseFunction* function)
 //------------------------------------------------------------------------------
 void FillFunction(Bytes& bytes, vtkColorTransferFunction* function)
 {
-  function->SetColorSpace(bytes.Whole(6));
+  // Not CIEDE2000: VTK searches minutes for a path between some colours.
+  const int space = bytes.Whole(5);
+  function->SetColorSpace(space < VTK_CTF_LAB_CIEDE2000 ? space : VTK_CTF_STEP);
   function->SetClamping(bytes.Bit());
   function->SetScale(bytes.Whole(8) == 0 ? VTK_CTF_LOG10 : VTK_CTF_LINEAR);
   for (int count = bytes.Whole(5); count > 0; --count)
