@@ -4,8 +4,8 @@
  * @file GLFault.h
  * @brief Makes one OpenGL call fail as long as it exists: what a device may do, on a device that does not.
  *
- * The loader's pointers are replaced. Those of OpenGL 1.1 among them, glTexImage2D and glGetIntegerv, are
- * called directly and are replaced by this program's own symbols, see RowsFaults.cxx.
+ * The loader's pointers are replaced. glew has none for OpenGL 1.1, glTexImage2D and glGetIntegerv: these
+ * are called directly there, and are replaced by this program's own symbols, see RowsFaults.cxx.
  */
 #ifndef GLFault_h
 #define GLFault_h
@@ -35,6 +35,10 @@ public:
   {
     Current() = this;
     Active() = kind;
+#if VTK_MODULE_ENABLE_VTK_glad
+    glTexImage2D = TexImage2DOrNot;
+    glGetIntegerv = GetIntegervOrNone;
+#endif
     switch (kind)
     {
       case ShaderDoesNotCompile:
@@ -56,6 +60,10 @@ public:
     glShaderSource = this->ShaderSource;
     glCheckFramebufferStatus = this->CheckFramebufferStatus;
     glTexImage3D = this->TexImage3D;
+#if VTK_MODULE_ENABLE_VTK_glad
+    glTexImage2D = this->TexImage2D;
+    glGetIntegerv = this->GetIntegerv;
+#endif
     Active() = None;
     Current() = nullptr;
     while (glGetError() != GL_NO_ERROR) // that were provoked
@@ -67,6 +75,19 @@ public:
   {
     static Kinds kind = None;
     return kind;
+  }
+
+  /// Whether a 2D texture of this format cannot be allocated.
+  static bool Denies2D(GLint format)
+  {
+    return (Active() == NoMemoryFor2D && format == GL_RGBA32F) ||
+      (Active() == NoMemoryForDepth && format == GL_DEPTH_COMPONENT32F);
+  }
+
+  /// Whether the answer to glGetIntegerv is 0.
+  static bool DeniesAny(GLenum name)
+  {
+    return Active() == NoTextures3D && name == GL_MAX_3D_TEXTURE_SIZE;
   }
 
 private:
@@ -106,6 +127,23 @@ private:
     Current()->TexImage3D(GL_NONE, level, format, w, h, d, border, pixels, type, data);
   }
 
+#if VTK_MODULE_ENABLE_VTK_glad
+  static void GLAPIENTRY TexImage2DOrNot(GLenum target, GLint level, GLint format, GLsizei w,
+    GLsizei h, GLint border, GLenum pixels, GLenum type, const void* data)
+  {
+    Current()->TexImage2D(
+      Denies2D(format) ? GLenum(GL_NONE) : target, level, format, w, h, border, pixels, type, data);
+  }
+
+  static void GLAPIENTRY GetIntegervOrNone(GLenum name, GLint* value)
+  {
+    Current()->GetIntegerv(name, value);
+    *value = DeniesAny(name) ? 0 : *value;
+  }
+
+  decltype(glTexImage2D) TexImage2D = glTexImage2D;
+  decltype(glGetIntegerv) GetIntegerv = glGetIntegerv;
+#endif
   decltype(glShaderSource) ShaderSource;
   decltype(glCheckFramebufferStatus) CheckFramebufferStatus;
   decltype(glTexImage3D) TexImage3D;

@@ -9,6 +9,7 @@
 
 #include <memory>
 
+#if !VTK_MODULE_ENABLE_VTK_glad
 /// These two stand before those of libGL in the order of symbols, for VTK's libraries too.
 extern "C" __attribute__((visibility("default"))) void glTexImage2D(GLenum target, GLint level,
   GLint format, GLsizei width, GLsizei height, GLint border, GLenum pixels, GLenum type,
@@ -17,10 +18,7 @@ extern "C" __attribute__((visibility("default"))) void glTexImage2D(GLenum targe
   using Function =
     void (*)(GLenum, GLint, GLint, GLsizei, GLsizei, GLint, GLenum, GLenum, const void*);
   static const Function real = reinterpret_cast<Function>(dlsym(RTLD_NEXT, "glTexImage2D"));
-  using vtkMediumStress::GLFault;
-  const GLFault::Kinds fault = GLFault::Active();
-  const bool deny = (fault == GLFault::NoMemoryFor2D && format == GL_RGBA32F) ||
-    (fault == GLFault::NoMemoryForDepth && format == GL_DEPTH_COMPONENT32F);
+  const bool deny = vtkMediumStress::GLFault::Denies2D(format);
   real(deny ? GLenum(GL_NONE) : target, level, format, width, height, border, pixels, type, data);
 }
 
@@ -29,12 +27,9 @@ extern "C" __attribute__((visibility("default"))) void glGetIntegerv(GLenum name
   using Function = void (*)(GLenum, GLint*);
   static const Function real = reinterpret_cast<Function>(dlsym(RTLD_NEXT, "glGetIntegerv"));
   real(name, value);
-  using vtkMediumStress::GLFault;
-  if (GLFault::Active() == GLFault::NoTextures3D && name == GL_MAX_3D_TEXTURE_SIZE)
-  {
-    *value = 0;
-  }
+  *value = vtkMediumStress::GLFault::DeniesAny(name) ? 0 : *value;
 }
+#endif
 
 namespace vtkMediumStress
 {
