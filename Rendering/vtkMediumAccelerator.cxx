@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMediumAccelerator.h"
 
+#include "vtkMediumAllocation.h"
 #include "vtkMediumOpenGL.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
@@ -173,11 +174,8 @@ bool vtkMediumAccelerator::UploadGroup(int group, const vtkMediumPlan& plan)
   texture->ResetFormatAndType(); // it may have had other channels
   texture->SetInternalFormat(formats[channels]);
   texture->SetDataType(GL_HALF_FLOAT);
-  while (glGetError() != GL_NO_ERROR)
-  {
-  }
   return texture->Create3DFromRaw(size.x, size.y, size.z, channels, VTK_FLOAT, texels.data()) &&
-    glGetError() == GL_NO_ERROR;
+    vtkMediumIsAllocated(texture);
 }
 
 //------------------------------------------------------------------------------

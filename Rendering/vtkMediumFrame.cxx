@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMediumFrame.h"
 
+#include "vtkMediumAllocation.h"
 #include "vtkMediumDrawState.h"
 #include "vtkMediumUserCode.h"
 
@@ -36,8 +37,10 @@ std::string vtkMediumFrame::Begin(
         texture->SetContext(window);
         texture->SetMinificationFilter(vtkTextureObject::Nearest);
         texture->SetMagnificationFilter(vtkTextureObject::Nearest);
-        if (!texture->Create2D(width, height, 4, VTK_FLOAT, false))
+        if (!texture->Create2D(width, height, 4, VTK_FLOAT, false) ||
+          !vtkMediumIsAllocated(texture))
         {
+          this->ReleaseGraphicsResources(window); // so that the next frame allocates anew
           std::ostringstream text;
           text << "The device could not allocate a float image of " << width << " x " << height
                << " pixels; make the window smaller or free device memory.";

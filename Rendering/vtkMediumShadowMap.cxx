@@ -4,6 +4,7 @@
 
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"
+#include "vtkMediumAllocation.h"
 #include "vtkMediumOpenGL.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
@@ -20,14 +21,6 @@ namespace
 {
 // Of a view in the table: the rows of its matrix.
 constexpr int RowsOfMatrix = 4;
-
-//------------------------------------------------------------------------------
-void ForgetErrors()
-{
-  while (glGetError() != GL_NO_ERROR)
-  {
-  }
-}
 
 //------------------------------------------------------------------------------
 // All that a view's picture depends on.
@@ -126,9 +119,8 @@ bool vtkMediumShadowMap::Allocate(const glm::ivec2& tiles, int pixels)
   map->SetMagnificationFilter(vtkTextureObject::Linear);
   map->SetDepthTextureCompare(true);
   map->SetDepthTextureCompareFunction(vtkTextureObject::Lequal);
-  ForgetErrors();
   if (!map->AllocateDepth(tiles.x * pixels, tiles.y * pixels, vtkTextureObject::Float32) ||
-    glGetError() != GL_NO_ERROR)
+    !vtkMediumIsAllocated(map))
   {
     return false;
   }
@@ -273,11 +265,10 @@ bool vtkMediumShadowMap::UploadViews(const std::vector<View>& views, const std::
   table->SetContext(this->Window);
   table->SetMinificationFilter(vtkTextureObject::Nearest);
   table->SetMagnificationFilter(vtkTextureObject::Nearest);
-  ForgetErrors();
   this->ViewTexels = texels;
   if (table->Create2DFromRaw(
         RowsOfMatrix, static_cast<int>(faces.size()), 4, VTK_FLOAT, texels.data()) &&
-    glGetError() == GL_NO_ERROR)
+    vtkMediumIsAllocated(table))
   {
     return true;
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMediumTextures.h"
 
+#include "vtkMediumAllocation.h"
 #include "vtkMediumFormulas.h"
 #include "vtkMediumPackedTexels.h"
 #include "vtkMediumTexels.h"
@@ -107,13 +108,10 @@ bool vtkMediumTextures::UploadField(vtkTextureObject* texture, const vtkMediumFi
   texture->SetWrapT(vtkTextureObject::ClampToEdge);
   texture->SetWrapR(vtkTextureObject::ClampToEdge);
   texture->ResetFormatAndType(); // it may have held another field
-  while (glGetError() != GL_NO_ERROR)
-  {
-  }
   auto create = [&](int type, void* texels) {
     return texture->Create3DFromRaw(field.Dimensions.x, field.Dimensions.y, field.Dimensions.z,
              field.Components, type, texels) &&
-      glGetError() == GL_NO_ERROR;
+      vtkMediumIsAllocated(texture);
   };
   if (vtkMediumPackingFactor(field) > 0)
   {
@@ -136,12 +134,9 @@ void vtkMediumTextures::UploadTable(vtkTextureObject* texture, int width, int he
   texture->SetWrapT(vtkTextureObject::ClampToEdge);
   texture->SetMinificationFilter(filter);
   texture->SetMagnificationFilter(filter);
-  while (glGetError() != GL_NO_ERROR)
-  {
-  }
   const bool created = texture->Create2DFromRaw(
     width, height, components, VTK_FLOAT, const_cast<float*>(texels.data()));
-  if (!created || glGetError() != GL_NO_ERROR)
+  if (!created || !vtkMediumIsAllocated(texture))
   {
     texture->ReleaseGraphicsResources(this->Window); // so that the next frame tries anew
     this->TableFailed = true;
