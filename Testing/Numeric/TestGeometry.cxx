@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Units, origin, orientation and the kind of the data do not change the physics.
 #include "ClosedForms.h"
+#include "vtkMediumTestMatrix.h"
 
 #include "vtkMatrix3x3.h"
-#include "vtkMatrix4x4.h"
 #include "vtkPiecewiseFunction.h"
 
 #include <gtest/gtest.h>
@@ -55,20 +55,6 @@ struct SlopeScene : Scene
     return image;
   }
 };
-
-void SetUserMatrix(vtkVolume* volume, const glm::dmat3& axes, const glm::dvec3& shift)
-{
-  vtkNew<vtkMatrix4x4> matrix;
-  for (int row = 0; row < 3; ++row)
-  {
-    for (int column = 0; column < 3; ++column)
-    {
-      matrix->SetElement(row, column, axes[column][row]);
-    }
-    matrix->SetElement(row, 3, shift[row]);
-  }
-  volume->SetUserMatrix(matrix);
-}
 
 void ExpectTruthA(Scene& scene, const Box& box, const glm::dvec3& toLight, double sigma)
 {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rows 30 to 37: where the volume, the camera and the lights are, in which units.
 #include "StressRefusal.h"
+#include "vtkMediumTestMatrix.h"
 
-#include "vtkMatrix4x4.h"
 #include "vtkMediumFormulas.h"
 
 namespace vtkMediumStress
@@ -14,20 +14,6 @@ namespace
 double SameFrames(const Trial& trial)
 {
   return trial.Is(Mapper::ErrorControlled) ? 4 * ControlledError : Same;
-}
-
-void SetUserMatrix(vtkVolume* volume, const glm::dmat3& axes, const glm::dvec3& shift)
-{
-  vtkNew<vtkMatrix4x4> matrix;
-  for (int row = 0; row < 3; ++row)
-  {
-    for (int column = 0; column < 3; ++column)
-    {
-      matrix->SetElement(row, column, axes[column][row]);
-    }
-    matrix->SetElement(row, 3, shift[row]);
-  }
-  volume->SetUserMatrix(matrix);
 }
 
 /// A field without symmetry, linear in space. Paper fills all of it.
