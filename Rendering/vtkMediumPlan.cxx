@@ -69,16 +69,20 @@ vtkMediumPlan::vtkMediumPlan(
       return;
     }
   }
-  if (settings.Integrator == Mapper::ErrorControlled)
+  if (this->HasClosedForm(scene, settings))
   {
-    this->PlanErrorControlled(scene, settings);
+    this->PlanClosedForm(scene, device);
   }
-  if (settings.Integrator == Mapper::Exact)
+  else if (settings.Integrator == Mapper::Exact)
   {
     this->PlanExact(scene, device);
   }
   else
   {
+    if (settings.Integrator == Mapper::ErrorControlled)
+    {
+      this->PlanErrorControlled(scene, settings);
+    }
     this->SplitIntoPasses(scene, settings, device);
   }
   this->ChooseProgram(scene, settings, device);
@@ -262,7 +266,7 @@ void vtkMediumPlan::ChooseProgram(
     defines << "#define LIGHTS_PER_CACHE_TEXTURE " << this->GetLightsPerTexture() << "\n";
     defines << (this->CacheRoughness ? "#define LIGHT_CACHE_ROUGHNESS\n" : "");
   }
-  if (exact)
+  if (exact && !this->ClosedForm)
   {
     defines << vtkMediumStructure::ExactDefines(scene.Content);
     defines << "#define EXACT_PARTS " << ExactParts << "\n";
@@ -300,6 +304,23 @@ void vtkMediumPlan::ChooseShaderFiles(const vtkMediumScene& scene, int integrato
     }
     add({ "Lights" });
   }
+  if (this->ClosedForm)
+  {
+    add({ "Content", "Output", "ClosedForm" });
+  }
+  else
+  {
+    this->ChooseIntegratorFiles(integrator);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMediumPlan::ChooseIntegratorFiles(int integrator)
+{
+  std::vector<std::string>& files = this->ShaderFiles;
+  auto add = [&files](std::initializer_list<const char*> names) {
+    files.insert(files.end(), names.begin(), names.end());
+  };
   switch (integrator)
   {
     case Mapper::Paper:

@@ -130,6 +130,7 @@ public:
   double LightTolerance =
     0;                      ///< with CacheRoughness: radiance a local unit that look-ups may err by
   int LightLookUpEvery = 1; ///< with CacheRoughness: iterations from look-up to look-up
+  bool ClosedForm = false;  ///< no ray is marched: a homogeneous box has a closed form
   bool ConstantExtinction = false; ///< the optical depth of a light ray is its length
   bool OpaqueShadows = false;      ///< opaque geometry stands in the light
   int OpaqueShadowResolution = 0;
@@ -178,6 +179,8 @@ private:
   void ChooseSteps(const vtkMediumScene&, const Settings&);
   void PlanPaper(const vtkMediumScene&, const Settings&);
   static std::vector<vtkMediumField> PaperFields(const vtkMediumScene&);
+  bool HasClosedForm(const vtkMediumScene&, const Settings&) const;
+  void PlanClosedForm(const vtkMediumScene&, const Capabilities&);
   void PlanErrorControlled(const vtkMediumScene&, const Settings&);
   void PlanExact(const vtkMediumScene&, const Capabilities&);
   std::string OutputDefines(const Settings&) const;
@@ -185,6 +188,7 @@ private:
   void SplitIntoPasses(const vtkMediumScene&, const Settings&, const Capabilities&);
   void ChooseProgram(const vtkMediumScene&, const Settings&, const Capabilities&);
   void ChooseShaderFiles(const vtkMediumScene&, int integrator);
+  void ChooseIntegratorFiles(int integrator);
   void ChooseLightFiles();
 };
 

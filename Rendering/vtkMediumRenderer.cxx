@@ -71,6 +71,7 @@ std::string vtkMediumRenderer::Draw(const Request& request, vtkMediumStatistics*
     return draft.Refusal;
   }
   statistics->GatherMilliseconds = watch.Lap();
+  this->ClosedForm = draft.ClosedForm;
   vtkMediumPlan::Settings settings = request.Settings;
   const glm::dvec2 pixels(FindViewport(request.Renderer).Size);
   this->Economy = draft.UseBricks ? this->Budget.Plan(request.Seconds, pixels.x * pixels.y)
@@ -342,9 +343,10 @@ void vtkMediumRenderer::CountWork(const vtkMediumPlan& plan, vtkMediumStatistics
   statistics->Passes = this->Reused ? 0 : this->Frame.GetDraws();
   statistics->PixelEdge = this->Frame.GetViewport().PixelEdge;
   statistics->EyeStep = plan.EyeStep * this->Scene.Geometry.Length;
-  statistics->LightMethod = plan.CachedLights == 0 ? vtkMediumStatistics::LightMarched
-    : plan.CacheRoughness                          ? vtkMediumStatistics::LightMarchedToItsCache
-                                                   : vtkMediumStatistics::LightLookedUp;
+  statistics->LightMethod = plan.ClosedForm ? vtkMediumStatistics::LightInClosedForm
+    : plan.CachedLights == 0                ? vtkMediumStatistics::LightMarched
+    : plan.CacheRoughness                   ? vtkMediumStatistics::LightMarchedToItsCache
+                                            : vtkMediumStatistics::LightLookedUp;
   statistics->TextureUploads = this->Textures.GetUploads();
   statistics->ProgramCompiles = this->Programs.GetCompiles();
   statistics->BrickBuilds = this->Accelerator.GetBrickBuilds();

@@ -78,10 +78,12 @@ public:
   vtkMediumFrame& GetCoarserFrame() { return this->Probe; }
   const vtkMediumScene& GetScene() const { return this->Scene; }
   int GetOutput() const { return this->Output; }
-  /// Of the last ErrorControlled frame; -1 if it was hurried, and its error nobody's guess.
+  /// Of the last ErrorControlled frame; 0 if it has a closed form, -1 if it was hurried, and its error
+  /// nobody's guess.
   double GetEstimatedError() const
   {
-    return this->Economy.Hurried ? -1 : this->StepControl.GetEstimatedError();
+    const double found = this->ClosedForm ? 0 : this->StepControl.GetEstimatedError();
+    return this->Economy.Hurried ? -1 : found;
   }
   /// Values that were NaN or infinite in the fields that the last Draw uploaded.
   vtkTypeInt64 GetNonFinite() const { return this->Textures.GetNonFinite(); }
@@ -122,6 +124,7 @@ private:
   vtkMediumStepControl StepControl;
   vtkMediumFrameBudget Budget;
   vtkMediumFrameBudget::Economy Economy; ///< of the last frame
+  bool ClosedForm = false;               ///< the last frame was not marched
   vtkMediumFrame Probe;
   vtkMediumFrame Frame;
   vtkMediumSignature FrameSignature; ///< of what Frame holds; empty: of nothing

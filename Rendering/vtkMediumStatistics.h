@@ -49,9 +49,10 @@ public:
   /// How the last frame found the transmittance to a light.
   enum LightMethods
   {
-    LightMarched,          ///< along the whole light ray, or not at all
-    LightLookedUp,         ///< in the light's cache
-    LightMarchedToItsCache ///< along the light ray until the cache was accurate enough
+    LightMarched,           ///< along the whole light ray, or not at all
+    LightLookedUp,          ///< in the light's cache
+    LightMarchedToItsCache, ///< along the light ray until the cache was accurate enough
+    LightInClosedForm ///< by formula, as all of the frame: a homogeneous box in directional light
   };
   vtkGetMacro(LightMethod, int);
 

@@ -236,8 +236,8 @@ public:
   vtkGetMacro(ImageSampleDistance, double);
   ///@}
 
-  /// The largest error that the last ErrorControlled frame was estimated to have, as a fraction of the
-  /// image's peak radiance; -1 in other integrators, and where the frame had to keep to a time.
+  /// The largest error that the last ErrorControlled frame was estimated to have, of the image's peak
+  /// radiance; 0 where it has a closed form; -1 in other integrators and where it had to keep to a time.
   double GetEstimatedError();
 
   ///@{

@@ -97,7 +97,8 @@ TEST(Exact, MeetsTheTruthInADenseBox)
     Scene scene(MakeBox(), 24);
     scene.Mapper->SetIntegratorToExact();
     scene.Mapper->SetTransmittanceThreshold(0);
-    scene.Medium->SetExtinction(sigma);
+    scene.Medium->SetExtinctionArrayName(""); // of data, since a constant is not marched
+    scene.Medium->SetExtinctionScale(sigma);
     const glm::dvec3 beam = glm::normalize(glm::dvec3(0.3, -0.8, -0.4));
     scene.AddBeam(beam);
     scene.Look({ 0.4, -0.3, -1 }, 2.4);

@@ -46,7 +46,8 @@ void ThickRadiance(Trial& trial)
 /// than a free path see nothing of it; they may not see more.
 void OpaqueRadiance(Trial& trial)
 {
-  const bool resolves = trial.Is(Mapper::Exact);
+  const bool resolves =
+    trial.Is(Mapper::Exact) || trial.Is(Mapper::ErrorControlled); // in closed form
   for (double tau : { 88.0, 104.0, 1e6, 1e30 })
   {
     Stage stage(trial, MakeBox(), 4);
@@ -206,15 +207,10 @@ std::vector<Row> OpticalDepthRows()
     { 2, "RadianceIsTruthA",
       "Q; Paper: its left Riemann sum errs by σh; ErrorControlled: 1e-4 of the peak, found by "
       "probes",
-      ThickRadiance, {}, { { Mapper::ErrorControlled, { 101, FinestSteps } } } },
+      ThickRadiance, {} },
     { 3, "OpaqueMediaReachTheirLimit",
       "T ≤ 2e-35, exp(-80); Q where a step resolves a free path, else at most the limit p E / 2",
-      OpaqueLimits, {},
-      { { Mapper::ErrorControlled, { 56, FinestSteps } },
-        { Mapper::Exact,
-          { 10800,
-            "from an optical depth of 1e6 in a single cell on, most of what it shines is "
-            "lost" } } } },
+      OpaqueLimits, {} },
     { 4, "NoMediumIsTransparentAndNoAlbedoBlack", "bitwise; Q", NothingAndPureAbsorption, {} },
     { 5, "SeriesAndQuotientMeetSmoothly",
       "1e-6: float's rounding of a difference of two exponentials", SwitchOfTheSeries,

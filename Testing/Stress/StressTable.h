@@ -89,9 +89,6 @@ std::vector<Row> FaultRows();
 
 /// Reasons that several rows share.
 constexpr const char* DrawsHomogeneous = "draws homogeneous media only, by its definition";
-constexpr const char* FinestSteps = "the finest step is 1/512 of the diagonal: in a volume of an "
-                                    "optical depth of 20 and more the first "
-                                    "free path is not resolved to 1e-4 of the peak";
 constexpr const char* ChoosesSteps = "chooses its steps itself";
 }
 

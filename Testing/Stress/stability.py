@@ -11,6 +11,8 @@ from pathlib import Path
 INTEGRATORS = ("Paper", "FixedStep", "ErrorControlled", "Exact")
 #: Rows of the matrix that are looked at elsewhere too.
 ELSEWHERE = {
+    3: "These homogeneous media have a closed form in ErrorControlled and Exact, whatever their depth. Of data, "
+       "which is marched, a first free path below 1/1024 of the diagonal is not resolved.",
     58: "10,000 random settings: see the [fuzzing page](fuzzing.md); the cell in the table is 200 of them.",
     59: "Also on softpipe, Mesa's interpreter: the test `Stress.Softpipe` runs rows 4, 10 to 12, 19, 24, 25, 45 "
         "and 57 there.",

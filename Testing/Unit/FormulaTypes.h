@@ -63,6 +63,14 @@
     {                                                                                              \
       return vtkMediumFormulas::Name::segmentMeanTransmittance(x);                                 \
     }                                                                                              \
+    static real MeanTransmittance(real first, real last)                                           \
+    {                                                                                              \
+      return vtkMediumFormulas::Name::segmentMeanTransmittance(first, last);                       \
+    }                                                                                              \
+    static vec3 MeanTransmittance(vec3 first, vec3 last)                                           \
+    {                                                                                              \
+      return vtkMediumFormulas::Name::segmentMeanTransmittance(first, last);                       \
+    }                                                                                              \
     static vec3 MeanTransmittance(vec3 x)                                                          \
     {                                                                                              \
       return vtkMediumFormulas::Name::segmentMeanTransmittance(x);                                 \

@@ -68,6 +68,31 @@ TYPED_TEST(FormulasSegment, MeanTransmittanceNeverRises)
   }
 }
 
+// Against Simpson's rule in long double; rising, falling and level exponents.
+TYPED_TEST(FormulasSegment, MeanOverALinearExponentIsItsIntegral)
+{
+  using real = typename TypeParam::real;
+  for (double first : { 0.0, 1e-6, 0.3, 4.0, 30.0 })
+  {
+    for (double last : { 0.0, 1e-6, 0.31, 5.0, 60.0 })
+    {
+      const int parts = 4096;
+      long double sum = 0;
+      for (int i = 0; i <= parts; ++i)
+      {
+        const long double tau = first + (last - first) * (long double)(i) / parts;
+        sum += (i == 0 || i == parts ? 1 : 2 + 2 * (i % 2)) * std::exp(-tau);
+      }
+      const double truth = static_cast<double>(sum / (3 * parts));
+      EXPECT_NEAR(TypeParam::MeanTransmittance(real(first), real(last)) / truth, 1,
+        1e-7 + Tolerance<TypeParam>() + 60 * Epsilon<TypeParam>())
+        << first << " to " << last;
+      EXPECT_EQ(TypeParam::MeanTransmittance(real(first), real(last)),
+        TypeParam::MeanTransmittance(real(last), real(first)));
+    }
+  }
+}
+
 TYPED_TEST(FormulasSegment, VectorFormsActOnEachComponent)
 {
   using vec3 = typename TypeParam::vec3;
@@ -77,6 +102,8 @@ TYPED_TEST(FormulasSegment, VectorFormsActOnEachComponent)
   {
     EXPECT_EQ(TypeParam::MeanTransmittance(x)[c], TypeParam::MeanTransmittance(x[c]));
     EXPECT_EQ(TypeParam::Transmittance(x)[c], TypeParam::Transmittance(x[c]));
+    EXPECT_EQ(
+      TypeParam::MeanTransmittance(x, vec3(1))[c], TypeParam::MeanTransmittance(x[c], real(1)));
   }
 }
 

@@ -21,3 +21,15 @@ vec3 segmentMeanTransmittance(vec3 x)
   return vec3(segmentMeanTransmittance(x.r), segmentMeanTransmittance(x.g),
     segmentMeanTransmittance(x.b));
 }
+
+// The mean of exp(-tau) over a segment along which tau grows or falls linearly, from first to last.
+real segmentMeanTransmittance(real first, real last)
+{
+  return exp(-min(min(first, last), real(80.0))) * segmentMeanTransmittance(abs(last - first));
+}
+
+vec3 segmentMeanTransmittance(vec3 first, vec3 last)
+{
+  return vec3(segmentMeanTransmittance(first.r, last.r),
+    segmentMeanTransmittance(first.g, last.g), segmentMeanTransmittance(first.b, last.b));
+}
