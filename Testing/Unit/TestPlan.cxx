@@ -1,66 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
 // SPDX-License-Identifier: BSD-3-Clause
 // A plan decides what a scene needs and what it does not; each decision is a row here.
-#include "vtkMediumPlan.h"
-#include "vtkSingleScatteringVolumeMapper.h"
-
-#include "vtkFloatArray.h"
-
-#include <gtest/gtest.h>
+#include "PlanSetting.h"
 
 #include <cmath>
 #include <limits>
 
-namespace
-{
-using Mapper = vtkSingleScatteringVolumeMapper;
-using Coefficient = vtkMediumScene::Coefficient;
-using Settings = vtkMediumPlan::Settings;
-using Device = vtkMediumPlan::Capabilities;
-
-// A cube of 100^3 points whose extinction is one linear array, under one directional light.
-vtkMediumScene MakeScene()
-{
-  vtkMediumScene scene;
-  vtkMediumField field;
-  field.Array = vtkSmartPointer<vtkFloatArray>::New();
-  field.Dimensions = { 100, 100, 100 };
-  field.Maximum = 1;
-  scene.Scalars = field;
-  scene.Content.Fields.push_back(field);
-  scene.Content.Extinction = { Coefficient::Field, 0, -1, -1, glm::dvec3(2) };
-  scene.Content.Scattering.Scale = glm::dvec3(1);
-  scene.Geometry.Length = 10;
-  scene.Geometry.VoxelLength = 0.1;
-  scene.Lights.resize(1);
-  scene.Lights[0].Irradiance = glm::dvec3(1);
-  return scene;
-}
-
-Settings With(int integrator)
-{
-  Settings settings;
-  settings.Integrator = integrator;
-  return settings;
-}
-
-bool Has(const vtkMediumPlan& plan, const std::string& define)
-{
-  return plan.ShaderDefines.find("#define " + define) != std::string::npos;
-}
-
-bool Reads(const vtkMediumPlan& plan, const std::string& file)
-{
-  for (const std::string& name : plan.ShaderFiles)
-  {
-    if (name == file)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-}
+using namespace vtkMediumTest;
 
 //------------------------------------------------------------------------------
 TEST(Plan, FollowsNoLightRayWhereNothingScattersOrShines)
@@ -97,44 +43,6 @@ TEST(Plan, FollowsNoLightRayForDistancesAndOpticalDepths)
   mean.Output = Mapper::Depth;
   mean.DepthDefinition = Mapper::MeanScatteringDepth;
   EXPECT_TRUE(vtkMediumPlan(MakeScene(), mean, Device()).Lit);
-}
-
-//------------------------------------------------------------------------------
-TEST(Plan, MarchesNoHomogeneousBoxInDirectionalLight)
-{
-  vtkMediumScene scene = MakeScene();
-  scene.Content.Fields.clear();
-  scene.Content.Extinction = { Coefficient::Constant, -1, -1, -1, glm::dvec3(2) };
-  scene.Lights.resize(3, scene.Lights[0]);
-  for (int integrator : { Mapper::ErrorControlled, Mapper::Exact })
-  {
-    const vtkMediumPlan plan(scene, With(integrator), Device());
-    EXPECT_TRUE(plan.ClosedForm);
-    EXPECT_TRUE(Reads(plan, "ClosedForm"));
-    EXPECT_FALSE(Reads(plan, "FixedStep") || Reads(plan, "Exact") || Reads(plan, "LightRay"));
-    EXPECT_FALSE(plan.UseBricks) << "nor is a step looked for";
-    ASSERT_EQ(plan.Passes.size(), 1u);
-    EXPECT_EQ(plan.Passes[0].LastLight, 3);
-  }
-  EXPECT_FALSE(vtkMediumPlan(scene, With(Mapper::FixedStep), Device()).ClosedForm)
-    << "steps that were asked for are taken";
-  EXPECT_FALSE(vtkMediumPlan(MakeScene(), With(Mapper::Exact), Device()).ClosedForm) << "data";
-
-  vtkMediumScene lamp = scene, clipped = scene, cropped = scene;
-  lamp.Lights[1].Type = vtkMediumScene::Light::Point;
-  clipped.Cut.Planes.emplace_back();
-  cropped.Cut.Regions = 1;
-  for (const vtkMediumScene& other : { lamp, clipped, cropped })
-  {
-    EXPECT_FALSE(vtkMediumPlan(other, With(Mapper::ErrorControlled), Device()).ClosedForm);
-  }
-  clipped.Lights.clear();
-  EXPECT_TRUE(vtkMediumPlan(clipped, With(Mapper::ErrorControlled), Device()).ClosedForm)
-    << "planes that cut no light ray are in the ends of eye rays";
-  Settings mean = With(Mapper::Exact);
-  mean.Output = Mapper::Depth;
-  mean.DepthDefinition = Mapper::MeanScatteringDepth;
-  EXPECT_FALSE(vtkMediumPlan(scene, mean, Device()).ClosedForm);
 }
 
 //------------------------------------------------------------------------------
