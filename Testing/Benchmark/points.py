@@ -19,7 +19,7 @@ FIELDS = ("method", "field", "volume", "image", "knob", "max_error", "relative_r
           "light_changed", "light_dragged", "camera_moved", "taps", "bytes", "device",
           "estimated_error", "light_method", "pixel_edge", "stages_cold", "stages_light", "scene")
 METHODS = ("FixedStep", "ErrorControlled", "ErrorControlled, no cache", "Exact", "Paper")
-LIGHT_METHODS = ("marched", "looked up", "marched to its cache")
+LIGHT_METHODS = ("marched", "looked up", "marched to its cache", "in closed form")
 STAGES = ("Gather", "Upload", "Build", "Calibrate", "Compile", "Integrate", "Frame")
 #: Of the binary field, whose values between voxels are interpolated: where Paper's medium begins.
 THRESHOLD = 0.5
