@@ -182,6 +182,16 @@ static bool HasRenderer()
   return false;
 }
 
+void WriteMemory(const char* change, double resident, double growth)
+{
+  if (const char* name = std::getenv("STRESS_RESULTS"))
+  {
+    std::ofstream(name, std::ios::app)
+      << "{\"memory\": " << Quoted(change) << ", \"resident\": " << resident
+      << ", \"growth\": " << growth << "}\n";
+  }
+}
+
 /// As the first record.
 static void WriteRenderer()
 {

@@ -87,6 +87,10 @@ std::vector<Row> FunctionRows();
 std::vector<Row> FrameRows();
 std::vector<Row> FaultRows();
 
+/// Takes resident memory, MiB, after a change was made 40 times and what it grew by until the hundredth
+/// time into the results.
+void WriteMemory(const char* change, double resident, double growth);
+
 /// Reasons that several rows share.
 constexpr const char* DrawsHomogeneous = "draws homogeneous media only, by its definition";
 constexpr const char* ChoosesSteps = "chooses its steps itself";

@@ -201,7 +201,7 @@ double Growth(const char* name, const std::function<void()>& change)
   }
   const double growth = ResidentMemory() - before;
   std::cout << name << ": " << before << " MiB after 40 times, " << growth << " more after 100\n";
-  testing::Test::RecordProperty(name, std::to_string(growth));
+  WriteMemory(name, before, growth);
   return growth;
 }
 }
@@ -240,7 +240,7 @@ TEST(GLState, IsTheSameAfterARefusedFrame)
 // What grows is held against what VTK's own empty window costs, as drivers keep some of each context.
 TEST(Contexts, HundredWindowsCostNoMemory)
 {
-  const double vtk = Growth("windows without a volume", [] {
+  const double vtk = Growth("a window of VTK without a volume", [] {
     vtkNew<vtkRenderWindow> window;
     vtkNew<vtkRenderer> renderer;
     window->SetOffScreenRendering(1);
@@ -248,7 +248,7 @@ TEST(Contexts, HundredWindowsCostNoMemory)
     window->AddRenderer(renderer);
     window->Render();
   });
-  const double ours = Growth("windows with a volume", [] {
+  const double ours = Growth("a window with a volume", [] {
     Trial trial(Mapper::FixedStep);
     BusyStage(trial).Render();
   });
@@ -260,7 +260,7 @@ TEST(Contexts, HundredSizesCostNoMemory)
   Trial trial(Mapper::FixedStep);
   BusyStage stage(trial);
   int number = 0;
-  EXPECT_LT(Growth("sizes",
+  EXPECT_LT(Growth("another size of the window",
               [&] {
                 const int size = 8 + ++number * 37 % 61;
                 stage.Window->SetSize(size, size);
@@ -280,7 +280,7 @@ TEST(Contexts, HundredHandOversCostNoMemory)
   other->SetSize(16, 16);
   vtkRenderWindow* windows[2] = { other, stage.Window };
   int number = 0;
-  EXPECT_LT(Growth("hand-overs",
+  EXPECT_LT(Growth("the volume handed to another window",
               [&] {
                 vtkRenderWindow* to = windows[number % 2];
                 windows[++number % 2]->RemoveRenderer(stage.Renderer);

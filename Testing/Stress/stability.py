@@ -54,6 +54,8 @@ def page(records: list) -> str:
     known = "\n".join(f"{i}. {why}" for i, why in enumerate(limits, 1))
     limited = sum(record["verdict"] == "limit" for record in cells)
     left_out = "\n".join(f"{i}. {reason}" for i, reason in enumerate(reasons, 1))
+    memory = "\n".join(f"| {record['memory']} | {record['resident']:.0f} MiB | {record['growth']:.2f} MiB |"
+                       for record in records if "memory" in record)
     elsewhere = "\n".join(f"- {number}: {words}" for number, words in ELSEWHERE.items())
     return f"""# What was tried to break it
 
@@ -90,6 +92,15 @@ Left out, because the integrator
 Beside the cells:
 
 {elsewhere}
+
+## Memory
+
+Resident memory of the process after a change was made 40 times, by when the driver has what it keeps, and
+what the next 60 times cost (tests `Contexts.*`).
+
+| 100 times | after 40 | growth until 100 |
+| --- | --- | --- |
+{memory}
 """
 
 
