@@ -53,8 +53,8 @@ public:
     bool ScalarsOnCells = false;
     vtkParticipatingMedium* Medium = nullptr; ///< null: the volume's property
     double Anisotropy = 0;                    ///< of the property
-    vtkMediumScene::Phases Phase = vtkMediumScene::HenyeyGreenstein; ///< of the property
-    double MaximumError = 0;                                         ///< ErrorControlled
+    vtkMediumScene::Phases Phase = vtkParticipatingMedium::HenyeyGreenstein; ///< of the property
+    double MaximumError = 0;                                                 ///< ErrorControlled
     bool AlwaysCache = false;   ///< ErrorControlled: light caches whatever their error
     double PixelEdge = 1;       ///< pixels of the window that share a ray, along each axis
     double Seconds = 1e9;       ///< ErrorControlled: the time that the window has for this frame

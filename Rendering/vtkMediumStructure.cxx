@@ -150,45 +150,15 @@ std::string vtkMediumStructure::LightDefines(const std::vector<vtkMediumScene::L
 std::string vtkMediumStructure::PhaseDefines(const vtkMediumScene::Medium& content, bool schlick)
 {
   vtkMediumScene::Phases phase = content.Phase;
-  if (schlick && phase != vtkMediumScene::SchlickK)
+  if (schlick && phase != vtkParticipatingMedium::SchlickK)
   {
-    phase = vtkMediumScene::Schlick;
+    phase = vtkParticipatingMedium::Schlick;
   }
-  const bool oneLobe = phase == vtkMediumScene::Schlick || phase == vtkMediumScene::SchlickK ||
-    phase == vtkMediumScene::HenyeyGreenstein;
+  const bool oneLobe = phase == vtkParticipatingMedium::Schlick ||
+    phase == vtkParticipatingMedium::SchlickK || phase == vtkParticipatingMedium::HenyeyGreenstein;
   if (oneLobe && content.Anisotropy.IsZero())
   {
-    phase = vtkMediumScene::Isotropic;
+    phase = vtkParticipatingMedium::Isotropic;
   }
-  const char* call = "phaseIsotropic()";
-  switch (phase)
-  {
-    case vtkMediumScene::Isotropic:
-      break;
-    case vtkMediumScene::Schlick:
-      call = "phaseSchlick(angle, phaseSchlickFromG(g))";
-      break;
-    case vtkMediumScene::SchlickK:
-      call = "phaseSchlick(angle, g)";
-      break;
-    case vtkMediumScene::HenyeyGreenstein:
-      call = "phaseHenyeyGreenstein(angle, g)";
-      break;
-    case vtkMediumScene::DoubleHenyeyGreenstein:
-      call = "phaseDoubleHenyeyGreenstein(angle, g, phaseLobes.x, phaseLobes.y)";
-      break;
-    case vtkMediumScene::Rayleigh:
-      call = "phaseRayleigh(angle)";
-      break;
-    case vtkMediumScene::Draine:
-      call = "phaseDraine(angle, g, phaseLobes.z)";
-      break;
-    case vtkMediumScene::Droplets:
-      call = "phaseDroplets(angle, g, phaseLobes.z, phaseLobes.x, phaseLobes.y)";
-      break;
-    case vtkMediumScene::Tabulated:
-      call = "phaseTabulated(angle)";
-      break;
-  }
-  return std::string("#define PHASE(angle, g) ") + call + "\n";
+  return "#define PHASE(angle, g) PHASE_" + std::to_string(phase) + "(angle, g)\n";
 }

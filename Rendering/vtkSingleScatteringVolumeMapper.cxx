@@ -131,8 +131,8 @@ std::string vtkSingleScatteringVolumeMapper::Draw(vtkRenderer* renderer, vtkVolu
   request.ScalarsOnCells = onCells != 0;
   request.Medium = this->Medium;
   request.Anisotropy = this->Anisotropy;
-  request.Phase =
-    this->PhaseFunction == Schlick ? vtkMediumScene::Schlick : vtkMediumScene::HenyeyGreenstein;
+  request.Phase = this->PhaseFunction == Schlick ? vtkParticipatingMedium::Schlick
+                                                 : vtkParticipatingMedium::HenyeyGreenstein;
   request.MaximumError = this->MaximumError;
   request.Show = !this->RenderToImage;
   request.Progress = [this, renderer](double fraction) {

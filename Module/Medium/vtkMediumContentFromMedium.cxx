@@ -349,9 +349,8 @@ bool IsChromatic(const vtkMediumScene::Medium& content, const Coefficient& coeff
 //------------------------------------------------------------------------------
 bool HasAnisotropy(vtkMediumScene::Phases phase)
 {
-  return phase == vtkMediumScene::Schlick || phase == vtkMediumScene::SchlickK ||
-    phase == vtkMediumScene::HenyeyGreenstein || phase == vtkMediumScene::Draine ||
-    phase == vtkMediumScene::DoubleHenyeyGreenstein;
+  return phase != vtkParticipatingMedium::Isotropic && phase != vtkParticipatingMedium::Rayleigh &&
+    phase != vtkParticipatingMedium::Tabulated && phase != vtkParticipatingMedium::Droplets;
 }
 }
 

@@ -10,11 +10,6 @@
 #include <limits>
 #include <sstream>
 
-static_assert(int(vtkMediumScene::Isotropic) == int(vtkParticipatingMedium::Isotropic) &&
-    int(vtkMediumScene::Tabulated) == int(vtkParticipatingMedium::Tabulated) &&
-    int(vtkMediumScene::SchlickK) == int(vtkParticipatingMedium::SchlickK),
-  "the phase functions of the scene and of the medium have the same numbers");
-
 namespace
 {
 /// How far the integral of a phase table may be from 1.
@@ -91,23 +86,23 @@ std::string vtkMediumPhaseFromMedium(
   std::string problem;
   switch (content.Phase)
   {
-    case vtkMediumScene::DoubleHenyeyGreenstein:
+    case vtkParticipatingMedium::DoubleHenyeyGreenstein:
       problem = CheckNumber("BackAnisotropy", medium->GetBackAnisotropy(), -1, 1);
       problem =
         !problem.empty() ? problem : CheckNumber("ForwardWeight", medium->GetForwardWeight(), 0, 1);
       content.BackAnisotropy = medium->GetBackAnisotropy();
       content.ForwardWeight = medium->GetForwardWeight();
       break;
-    case vtkMediumScene::Draine:
+    case vtkParticipatingMedium::Draine:
       problem =
         CheckNumber("DraineAlpha", medium->GetDraineAlpha(), 0, std::numeric_limits<double>::max());
       content.DraineAlpha = medium->GetDraineAlpha();
       break;
-    case vtkMediumScene::Droplets:
+    case vtkParticipatingMedium::Droplets:
       problem = CheckNumber("DropletDiameter", medium->GetDropletDiameter(), 5, 50);
       FitDroplets(content, medium->GetDropletDiameter());
       break;
-    case vtkMediumScene::Tabulated:
+    case vtkParticipatingMedium::Tabulated:
       problem = CopyTable(content.PhaseTable, medium->GetPhaseTable());
       break;
     default:

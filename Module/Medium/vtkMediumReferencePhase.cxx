@@ -64,23 +64,23 @@ double vtkMediumReferencePhase(
   const double weight = medium.ForwardWeight;
   switch (medium.Phase)
   {
-    case vtkMediumScene::Schlick:
+    case vtkParticipatingMedium::Schlick:
       return Schlick(Held(1.55 * anisotropy - 0.55 * std::pow(anisotropy, 3)), cosine);
-    case vtkMediumScene::SchlickK:
+    case vtkParticipatingMedium::SchlickK:
       return Schlick(first, cosine);
-    case vtkMediumScene::HenyeyGreenstein:
+    case vtkParticipatingMedium::HenyeyGreenstein:
       return HenyeyGreenstein(first, cosine);
-    case vtkMediumScene::DoubleHenyeyGreenstein:
+    case vtkParticipatingMedium::DoubleHenyeyGreenstein:
       return weight * HenyeyGreenstein(first, cosine) +
         (1 - weight) * HenyeyGreenstein(second, cosine);
-    case vtkMediumScene::Rayleigh:
+    case vtkParticipatingMedium::Rayleigh:
       return 3 * (1 + cosine * cosine) / (16 * Pi);
-    case vtkMediumScene::Draine:
+    case vtkParticipatingMedium::Draine:
       return Draine(first, medium.DraineAlpha, cosine);
-    case vtkMediumScene::Droplets:
+    case vtkParticipatingMedium::Droplets:
       return weight * Draine(first, medium.DraineAlpha, cosine) +
         (1 - weight) * HenyeyGreenstein(second, cosine);
-    case vtkMediumScene::Tabulated:
+    case vtkParticipatingMedium::Tabulated:
       return Table(medium.PhaseTable, cosine);
     default:
       return 1 / FullSphere;

@@ -25,6 +25,7 @@
 #include "vtkMediumField.h"
 #include "vtkMediumFunction.h"
 #include "vtkMediumMask.h"
+#include "vtkParticipatingMedium.h"
 
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
@@ -94,19 +95,8 @@ public:
     bool IsZero() const { return this->Scale == glm::dvec3(0); }
   };
 
-  /// The phase functions and what they read; Formulas/vtkMediumPhase.glsl has their formulas.
-  enum Phases
-  {
-    Isotropic,
-    Schlick,                ///< Anisotropy (g); k = 1.55 g - 0.55 g^3
-    HenyeyGreenstein,       ///< Anisotropy
-    DoubleHenyeyGreenstein, ///< Anisotropy, BackAnisotropy, ForwardWeight
-    Rayleigh,
-    Draine,    ///< Anisotropy, DraineAlpha
-    Tabulated, ///< PhaseTable
-    Droplets,  ///< Draine (Anisotropy, DraineAlpha) x ForwardWeight, HG (BackAnisotropy) x the rest
-    SchlickK,  ///< Anisotropy holds Schlick's k itself
-  };
+  /// Formulas/vtkMediumPhase.glsl has their formulas.
+  using Phases = vtkParticipatingMedium::PhaseFunctions;
 
   /// What fills the volume. Lengths are world units.
   struct Medium
@@ -124,7 +114,7 @@ public:
     double DensityScale = 1; ///< multiplies extinction, scattering and emission
     std::vector<int> Masks;  ///< fields of 0 and 1 that do so too, voxel by voxel
 
-    Phases Phase = HenyeyGreenstein;
+    Phases Phase = vtkParticipatingMedium::HenyeyGreenstein;
     Coefficient Anisotropy;         ///< g (SchlickK: k) of the first lobe; one value or a field
     double BackAnisotropy = 0;      ///< g of the second lobe of DoubleHenyeyGreenstein and Droplets
     double ForwardWeight = 1;       ///< weight of their first lobe, 0 to 1

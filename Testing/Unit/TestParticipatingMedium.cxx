@@ -239,7 +239,7 @@ TEST(ParticipatingMedium, DropletsFollowThePublishedFit)
   input.Medium->SetDropletDiameter(20);
   ASSERT_EQ(input.GatherMedium(), "");
   const vtkMediumScene::Medium& content = input.Scene.Content;
-  EXPECT_EQ(content.Phase, vtkMediumScene::Droplets);
+  EXPECT_EQ(content.Phase, vtkParticipatingMedium::Droplets);
   EXPECT_TRUE(content.Anisotropy.IsConstant());
   // Worked by hand from the paper's formulas.
   EXPECT_NEAR(content.BackAnisotropy, 0.994610, 1e-6);
@@ -256,7 +256,8 @@ TEST(ParticipatingMedium, EachPhaseFunctionReachesTheScene)
   table->InsertNextValue(0.25 / vtkMath::Pi());
   table->InsertNextValue(0.25 / vtkMath::Pi());
   input.Medium->SetPhaseTable(table);
-  for (int phase = vtkMediumScene::Isotropic; phase <= vtkMediumScene::SchlickK; ++phase)
+  for (int phase = vtkParticipatingMedium::Isotropic; phase <= vtkParticipatingMedium::SchlickK;
+       ++phase)
   {
     input.Medium->SetPhaseFunction(phase);
     ASSERT_EQ(input.GatherMedium(), "");

@@ -100,3 +100,17 @@ real phaseSchlick(vec2 angle, real k)
   real d = (real(1.0) - a) + a * away;
   return (real(1.0) - a) * (real(1.0) + a) / (real(4.0) * PHASE_PI * d * d);
 }
+
+#ifndef vtkMediumFormulas_h // shaders only
+// How a shader calls each function, by its number in vtkParticipatingMedium::PhaseFunctions. phaseLobes
+// holds g of the second lobe, the weight of the first, and Draine's alpha.
+#define PHASE_0(angle, g) phaseIsotropic()
+#define PHASE_1(angle, g) phaseSchlick(angle, phaseSchlickFromG(g))
+#define PHASE_2(angle, g) phaseHenyeyGreenstein(angle, g)
+#define PHASE_3(angle, g) phaseDoubleHenyeyGreenstein(angle, g, phaseLobes.x, phaseLobes.y)
+#define PHASE_4(angle, g) phaseRayleigh(angle)
+#define PHASE_5(angle, g) phaseDraine(angle, g, phaseLobes.z)
+#define PHASE_6(angle, g) phaseTabulated(angle)
+#define PHASE_7(angle, g) phaseDroplets(angle, g, phaseLobes.z, phaseLobes.x, phaseLobes.y)
+#define PHASE_8(angle, g) phaseSchlick(angle, g)
+#endif
