@@ -148,8 +148,9 @@ void vtkMediumPlan::ChooseSteps(const vtkMediumScene& scene, const Settings& set
   const double voxel = scene.Geometry.VoxelLength;
   const double eye = settings.SampleDistance > 0 ? settings.SampleDistance : voxel;
   const double light = settings.LightSampleDistance > 0 ? settings.LightSampleDistance : eye;
-  this->EyeStep = std::max(eye / scene.Geometry.Length, ShortestStep);
-  this->LightStep = std::max(light / scene.Geometry.Length, ShortestStep);
+  const double length = scene.Geometry.Length;
+  this->EyeStep = std::min(std::max(eye / length, ShortestStep), LongestStep);
+  this->LightStep = std::min(std::max(light / length, ShortestStep), LongestStep);
 }
 
 //------------------------------------------------------------------------------

@@ -92,6 +92,8 @@ public:
 
   /// The shortest step, as a fraction of the volume's diagonal; beyond it float adds only rounding.
   static constexpr double ShortestStep = 1.0 / 100000;
+  /// The longest step, longer than every ray; what a user sets may be more than a float holds.
+  static constexpr double LongestStep = 2;
   /// Textures for the caches of lights, and so the lights that have caches; the light rays of more are
   /// marched.
   static constexpr int MostCacheTextures = 4;
