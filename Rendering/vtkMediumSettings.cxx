@@ -11,6 +11,11 @@ vtkMediumPlan::Settings vtkMediumSettingsOf(vtkSingleScatteringVolumeMapper* map
   vtkMediumPlan::Settings settings;
   settings.Integrator = mapper->GetIntegrator();
   settings.Output = mapper->GetOutput();
+  if (mapper->GetBlendMode() == vtkVolumeMapper::ADDITIVE_BLEND &&
+    settings.Output == vtkSingleScatteringVolumeMapper::Radiance)
+  {
+    settings.Output = vtkSingleScatteringVolumeMapper::OpticalDepth; // what adds up along a ray
+  }
   settings.SampleDistance = mapper->GetSampleDistance();
   settings.LightSampleDistance = mapper->GetLightSampleDistance();
   settings.BinarySearchIterations = mapper->GetBinarySearchIterations();

@@ -38,8 +38,6 @@ const char* NameOfBlendMode(vtkVolumeMapper& mapper)
       return "minimum intensity";
     case vtkVolumeMapper::AVERAGE_INTENSITY_BLEND:
       return "average intensity";
-    case vtkVolumeMapper::ADDITIVE_BLEND:
-      return "additive";
     case vtkVolumeMapper::ISOSURFACE_BLEND:
       return "isosurface";
     case vtkVolumeMapper::SLICE_BLEND:
@@ -183,12 +181,12 @@ std::string vtkSingleScatteringVolumeMapper::CheckContract(vtkVolume* volume)
       << ", but this mapper takes a vtkImageData; connect one (SetInputConnection, SetInputData), "
          "or resample the data to one (vtkResampleToImage).";
   }
-  else if (this->GetBlendMode() != vtkVolumeMapper::COMPOSITE_BLEND)
+  else if (this->GetBlendMode() != vtkVolumeMapper::COMPOSITE_BLEND &&
+    this->GetBlendMode() != vtkVolumeMapper::ADDITIVE_BLEND)
   {
     text << "The blend mode is " << this->GetBlendMode() << " (" << NameOfBlendMode(*this)
-         << "), but a participating medium has only composite blending (SetBlendModeToComposite); "
-            "what light loses along a ray is an output, Transmittance or OpticalDepth "
-            "(SetOutputToTransmittance, SetOutputToOpticalDepth).";
+         << "), but a participating medium has composite blending (SetBlendModeToComposite), and "
+            "additive blending (SetBlendModeToAdditive) for the light that is lost along a ray.";
   }
   else if (IsPeeled(volume))
   {

@@ -27,7 +27,7 @@
  * do; the frame keeps its background and the next valid frame is drawn. A cause that persists is
  * reported once, until it changes or a frame succeeds. Refused are: an input that is not a
  * vtkImageData, has no scalars, has fewer than two points along an axis or a singular matrix; blend
- * modes other than composite; a gradient opacity other than 1 and two-dimensional transfer functions;
+ * modes other than these two; a gradient opacity other than 1 and two-dimensional transfer functions;
  * clipping and cropping planes that are none; depth peeling of volumes; a window that is not OpenGL 3.2;
  * and the parameter values named below.
  *
@@ -41,9 +41,9 @@
  * builds nothing, but that ErrorControlled finds its step anew, and light caches where light is cut.
  *
  * @par Blend modes
- * Composite blending is what a medium does; the other modes of vtkVolumeMapper combine scalars along a ray,
- * or opacities step by step (additive), which has no meaning here. A radiograph is an output instead:
- * Transmittance is what is left of a light behind the volume, OpticalDepth the integral of the extinction.
+ * Composite blending is what a medium does. Additive blending is a radiograph: no light is followed, the
+ * extinction is added up along each eye ray, and Radiance becomes OpticalDepth, which is shown as 1 - exp(-tau);
+ * other outputs stay what they are. The other modes of vtkVolumeMapper combine scalars, not a medium.
  *
  * @par Shader code
  * The volume's vtkShaderProperty may put GLSL at a few points of the shaders, AddFragmentShaderReplacement

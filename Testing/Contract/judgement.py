@@ -89,6 +89,16 @@ def describe_theirs(theirs):
     return ("draws nothing" if theirs.is_empty() else "works") + noted
 
 
+def want_no_errors(ours, row):
+    if ours.errors:
+        row.problems.append(f"errors: {ours.errors}")
+
+
+def want_nothing_drawn(ours, row):
+    if not ours.is_empty():
+        row.problems.append("the picture is not empty")
+
+
 def judge_refusal(scene, theirs, ours, row):
     """One error with the words that the scene gives, and nothing drawn."""
     row.ours = f"refused: *{ours.errors[0]}*" if ours.errors else "drawn"
@@ -97,22 +107,18 @@ def judge_refusal(scene, theirs, ours, row):
         row.problems.append(f"{len(ours.errors)} errors, expected 1: {ours.errors}")
     elif scene["says"] not in ours.errors[0]:
         row.problems.append(f"'{scene['says']}' is not in: {ours.errors[0]}")
-    if not ours.is_empty():
-        row.problems.append("a refused frame is not empty")
+    want_nothing_drawn(ours, row)
 
 
 def judge_nothing(scene, theirs, ours, row):
     row.ours = "draws nothing"
-    if ours.errors:
-        row.problems.append(f"errors: {ours.errors}")
-    if not ours.is_empty():
-        row.problems.append("the picture is not empty")
+    want_no_errors(ours, row)
+    want_nothing_drawn(ours, row)
 
 
 def judge_picture(scene, theirs, ours, row):
     row.ours = "works"
-    if ours.errors:
-        row.problems.append(f"errors: {ours.errors}")
+    want_no_errors(ours, row)
     if theirs.missing or theirs.errors:
         return
     if "pick" in scene:

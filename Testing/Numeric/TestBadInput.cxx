@@ -178,14 +178,18 @@ TEST_F(BadInput, PaperWithoutLightIsRefused)
 
 TEST_F(BadInput, OtherBlendModesAreRefused)
 {
-  const char* names[] = { "maximum intensity", "minimum intensity", "average intensity", "additive",
-    "isosurface", "slice" };
-  for (int mode = vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND; mode <= vtkVolumeMapper::SLICE_BLEND;
-       ++mode)
+  const std::pair<int, const char*> modes[] = {
+    { vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND, "maximum intensity" },
+    { vtkVolumeMapper::MINIMUM_INTENSITY_BLEND, "minimum intensity" },
+    { vtkVolumeMapper::AVERAGE_INTENSITY_BLEND, "average intensity" },
+    { vtkVolumeMapper::ISOSURFACE_BLEND, "isosurface" },
+    { vtkVolumeMapper::SLICE_BLEND, "slice" },
+  };
+  for (const auto& [mode, name] : modes)
   {
     ExpectRefusal(
-      { names[mode - 1], "SetBlendModeToComposite", "SetOutputToTransmittance" },
-      [mode](Scene& scene) { scene.Mapper->SetBlendMode(mode); },
+      { name, "SetBlendModeToComposite", "SetBlendModeToAdditive" },
+      [mode = mode](Scene& scene) { scene.Mapper->SetBlendMode(mode); },
       [](Scene& scene) { scene.Mapper->SetBlendModeToComposite(); });
   }
 }

@@ -247,3 +247,41 @@ INSTANTIATE_TEST_SUITE_P(Mapper, ClosedFormsTest,
     return std::get<0>(parameters.param).Name + std::string("In") +
       NameOf(std::get<1>(parameters.param));
   });
+
+// A radiograph: what adds up along a ray is the optical depth, and no light is followed.
+TEST(ClosedForms, AdditiveBlendingIsTheOpticalDepth)
+{
+  for (int integrator : { Mapper::FixedStep, Mapper::ErrorControlled, Mapper::Exact })
+  {
+    SCOPED_TRACE(testing::Message() << "integrator " << integrator);
+    const double sigma = 1.7;
+    Scene scene(MakeBox(Size));
+    scene.Mapper->SetIntegrator(integrator);
+    scene.Medium->SetExtinction(sigma);
+    scene.AddBeam({ 0.3, -1, -0.2 });
+    scene.Look({ 0.3, 0.2, -1 }, 2);
+    scene.Mapper->SetBlendModeToAdditive();
+    const Picture added = scene.Render();
+    const std::vector<unsigned char> shown = scene.RenderWindow();
+    int seen = 0;
+    ForEachPixel(scene, [&](int x, int y, const Ray& ray) {
+      const std::array<double, 2> t = Box(Size).Intersect(ray);
+      const double depth = sigma * std::max(t[1] - t[0], 0.0);
+      EXPECT_NEAR(added.At(x, y, 1), depth, 1e-4) << x << ", " << y;
+      const double grey = shown[3 * (y * scene.Pixels + x) + 1];
+      EXPECT_NEAR(grey, -255 * std::expm1(-depth), 1) << x << ", " << y;
+      seen += depth > 0.1;
+    });
+    EXPECT_GT(seen, 100);
+    scene.Renderer->RemoveAllLights();
+    EXPECT_EQ(scene.Render().Values, added.Values);
+    scene.Mapper->SetBlendModeToComposite();
+    scene.Mapper->SetOutputToOpticalDepth();
+    EXPECT_EQ(scene.Render().Values, added.Values);
+    scene.Mapper->SetOutputToDepth();
+    const Picture depths = scene.Render();
+    scene.Mapper->SetBlendModeToAdditive();
+    EXPECT_EQ(scene.Render().Values, depths.Values);
+    EXPECT_TRUE(scene.Errors.empty());
+  }
+}

@@ -221,6 +221,43 @@ TEST(Selection, PropPickerFindsThePlace)
   EXPECT_FALSE(picker->Pick(0, 0, 0, scene.Renderer));
 }
 
+// Where the property is the medium, its opacity is above zero where light is lost, and nowhere else.
+TEST(Selection, VolumePickersMissWhereTransmittanceIsOne)
+{
+  BallScene scene;
+  scene.Mapper->SetMedium(nullptr);
+  vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->AddPoint(0.3, 0);
+  opacity->AddPoint(1, 0.9);
+  scene.Property->SetScalarOpacity(opacity);
+  scene.Property->SetScalarOpacityUnitDistance(0.2);
+  scene.SetSteps(0.01, 1);
+  scene.Mapper->SetOutputToTransmittance();
+  const Picture picture = scene.Render();
+  vtkNew<vtkCellPicker> cells;
+  vtkNew<vtkVolumePicker> voxels;
+  int seen = 0, clear = 0;
+  for (vtkCellPicker* picker : { cells.Get(), static_cast<vtkCellPicker*>(voxels) })
+  {
+    picker->SetVolumeOpacityIsovalue(1e-6);
+    for (int y = 0; y < Side; ++y)
+    {
+      for (int x = 0; x < Side; ++x)
+      {
+        const double lost = 1 - picture.At(x, y, 0);
+        if (lost == 0 || lost > 1e-3) // between the two, a ray grazes the ball
+        {
+          EXPECT_EQ(picker->Pick(x + 0.5, y + 0.5, 0, scene.Renderer), lost > 0) << x << ", " << y;
+          seen += lost > 0;
+          clear += lost == 0;
+        }
+      }
+    }
+  }
+  EXPECT_GT(seen, 100);
+  EXPECT_GT(clear, 100);
+}
+
 // These look at the data and the property, at the opacity of one unit distance, with a medium and without.
 class VolumePickers : public testing::TestWithParam<bool>
 {

@@ -5,25 +5,8 @@
 #include "Baseline.h"
 #include "Stage.h"
 
-#include "vtkActor.h"
 #include "vtkConeSource.h"
 #include "vtkPlaneSource.h"
-#include "vtkPolyDataMapper.h"
-#include "vtkProperty.h"
-
-namespace
-{
-vtkSmartPointer<vtkActor> MakeActor(vtkPolyDataAlgorithm* source, const glm::dvec3& color)
-{
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(source->GetOutputPort());
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  actor->GetProperty()->LightingOff();
-  actor->GetProperty()->SetColor(color.r, color.g, color.b);
-  return actor;
-}
-}
 
 int FixedStepOpaqueGeometry(int argc, char* argv[])
 {
@@ -35,14 +18,12 @@ int FixedStepOpaqueGeometry(int argc, char* argv[])
   cone->SetDirection(0, 0, 1);
   cone->SetHeight(0.75);
   cone->SetRadius(0.22);
-  const auto spike = MakeActor(cone, { 0.75, 0.2, 0.12 });
+  vtkActor* spike = stage.AddActor(cone, { 0.75, 0.2, 0.12 });
   vtkNew<vtkPlaneSource> plane;
   plane->SetOrigin(-0.7, -0.7, -0.25);
   plane->SetPoint1(0.7, -0.7, -0.25);
   plane->SetPoint2(-0.7, 0.7, -0.25);
-  const auto floor = MakeActor(plane, { 0.16, 0.24, 0.2 });
-  stage.GetView()->AddActor(spike);
-  stage.GetView()->AddActor(floor);
+  stage.AddActor(plane, { 0.16, 0.24, 0.2 });
   stage.LookFrom({ 1.5, -3, 1.6 }, 1.5);
   return Baseline::Compare(argc, argv, stage.GetWindow(), "the cone behind the fog",
     [&] { spike->SetPosition(-0.25, 0.5, 0); });

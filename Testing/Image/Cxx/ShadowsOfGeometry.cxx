@@ -4,27 +4,11 @@
 #include "Baseline.h"
 #include "Stage.h"
 
-#include "vtkActor.h"
 #include "vtkCubeSource.h"
-#include "vtkPolyDataMapper.h"
-#include "vtkProperty.h"
 #include "vtkSphereSource.h"
 
 namespace
 {
-vtkSmartPointer<vtkActor> AddActor(
-  Stage& stage, vtkPolyDataAlgorithm* source, const glm::dvec3& color)
-{
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(source->GetOutputPort());
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  actor->GetProperty()->LightingOff();
-  actor->GetProperty()->SetColor(color.r, color.g, color.b);
-  stage.GetView()->AddActor(actor);
-  return actor;
-}
-
 void AddHaze(Stage& stage)
 {
   const auto haze = Stage::Voxels(glm::ivec3(4), [](const glm::dvec3&) { return 1.0; });
@@ -47,7 +31,7 @@ int ShadowsOfGeometry(int argc, char* argv[])
     cube->SetXLength(0.1);
     cube->SetYLength(1.4);
     cube->SetZLength(0.03);
-    AddActor(stage, cube, { 0.3, 0.2, 0.1 });
+    stage.AddActor(cube, { 0.3, 0.2, 0.1 });
   }
   stage.LookFrom({ 0.4, -3, 0.7 }, 1.3);
 
@@ -59,7 +43,7 @@ int ShadowsOfGeometry(int argc, char* argv[])
   ball->SetRadius(0.08);
   ball->SetThetaResolution(32);
   ball->SetPhiResolution(32);
-  const auto blocker = AddActor(stage, ball, { 0.1, 0.25, 0.4 });
+  vtkActor* blocker = stage.AddActor(ball, { 0.1, 0.25, 0.4 });
   stage.LookFrom({ 0.4, -3, 0.7 }, 1.3);
   return Baseline::Compare(argc, argv, stage.GetWindow(), "the ball on the other side of the lamp",
     [&] { blocker->SetPosition(0.3, 0, 0.2); });

@@ -7,6 +7,8 @@
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 
 #include <cmath>
 
@@ -55,6 +57,19 @@ vtkVolume* Stage::AddVolume(vtkImageData* image, vtkVolumeProperty* medium)
 vtkSingleScatteringVolumeMapper* Stage::GetMapper(vtkVolume* volume)
 {
   return vtkSingleScatteringVolumeMapper::SafeDownCast(volume->GetMapper());
+}
+
+//------------------------------------------------------------------------------
+vtkActor* Stage::AddActor(vtkPolyDataAlgorithm* source, const glm::dvec3& color)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(source->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->LightingOff();
+  actor->GetProperty()->SetColor(color.r, color.g, color.b);
+  this->GetView()->AddActor(actor);
+  return actor;
 }
 
 //------------------------------------------------------------------------------

@@ -10,11 +10,13 @@
 #ifndef Stage_h
 #define Stage_h
 
+#include "vtkActor.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPolyDataAlgorithm.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSingleScatteringVolumeMapper.h"
@@ -40,6 +42,9 @@ public:
   /// A volume with a mapper of its own, which integrates by FixedStep.
   vtkVolume* AddVolume(vtkImageData* image, vtkVolumeProperty* medium);
   static vtkSingleScatteringVolumeMapper* GetMapper(vtkVolume* volume);
+
+  /// Geometry of one colour, which no light changes.
+  vtkActor* AddActor(vtkPolyDataAlgorithm* source, const glm::dvec3& color);
 
   /// A light at infinity, or at a place; `irradiance` is what arrives on a surface that faces it.
   vtkLight* AddSun(const glm::dvec3& towards, const glm::dvec3& color, double irradiance);
