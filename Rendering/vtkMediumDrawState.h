@@ -9,6 +9,7 @@
 #define vtkMediumDrawState_h
 
 #include "vtkMediumOpenGL.h"
+#include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLState.h"
 
 #include <glm/vec2.hpp>
@@ -44,5 +45,14 @@ private:
   vtkOpenGLState::ScopedglScissor Scissor;
   vtkOpenGLState::ScopedglActiveTexture ActiveTexture;
 };
+
+/// Draws go into so many first attachments of a framebuffer that is bound. VTK remembers the draw buffers of
+/// the framebuffer that was bound before, and sets none where that had as many, as within a pass.
+inline void vtkMediumActivateDrawBuffers(vtkOpenGLFramebufferObject* framebuffer, int count)
+{
+  framebuffer->ActivateDrawBuffers(static_cast<unsigned int>(count));
+  const GLenum attachments[] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2 };
+  glDrawBuffers(count, attachments);
+}
 
 #endif

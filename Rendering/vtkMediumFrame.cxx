@@ -57,6 +57,7 @@ std::string vtkMediumFrame::Begin(
   }
   copyDepth ? this->Depth.Capture(window, viewport.Origin, viewport.Size)
             : this->Depth.SetToFar(window, viewport.Size);
+  this->Ends = this->Depth.GetTexture();
   return {};
 }
 
@@ -95,12 +96,12 @@ bool vtkMediumFrame::Integrate(const Resources& resources, const vtkMediumScene&
     resources.Textures.Activate(program, plan);
     resources.Accelerator.Activate(program, plan);
     resources.ShadowMap.Activate(program, plan);
-    this->Depth.GetTexture()->Activate();
-    program->SetUniformi("opaqueDepth", this->Depth.GetTexture()->GetTextureUnit());
+    this->Ends->Activate();
+    program->SetUniformi("opaqueDepth", this->Ends->GetTextureUnit());
     this->SetFrameUniforms(program, scene, plan);
     this->SetContentUniforms(program, scene, plan);
     this->Complete = this->DrawPasses(resources.Programs, program, plan, progress);
-    this->Depth.GetTexture()->Deactivate();
+    this->Ends->Deactivate();
     resources.ShadowMap.Deactivate();
     resources.Accelerator.Deactivate();
     resources.Textures.Deactivate();

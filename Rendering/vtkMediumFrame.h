@@ -95,6 +95,9 @@ public:
   std::string Begin(vtkOpenGLRenderWindow* window, const Viewport& viewport, bool carry,
     bool copyDepth, bool finish = false);
 
+  /// Until the next Begin, rays begin and end at these depths instead; see Shaders/vtkMediumEyeRay.glsl.
+  void SetEnds(vtkTextureObject* ends) { this->Ends = ends; }
+
   /// Integrates the plan's passes into the targets. False if the program does not compile.
   bool Integrate(const Resources& resources, const vtkMediumScene& scene, const vtkMediumPlan& plan,
     const Progress& progress = {});
@@ -112,6 +115,8 @@ public:
   /// after one that was stopped.
   std::vector<float> DownloadRadiance() { return this->Download(0); }
   std::vector<float> DownloadHits() { return this->Download(1); }
+  /// The first of them where it is.
+  vtkTextureObject* GetRadiance() { return this->Textures[this->Result][0]; }
   const Viewport& GetViewport() const { return this->View; }
   /// Draws that the last Integrate needed.
   int GetDraws() const { return this->Draws; }
@@ -141,6 +146,7 @@ private:
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   vtkNew<vtkTextureObject> Textures[2][Targets];
   vtkMediumOpaqueDepth Depth;
+  vtkTextureObject* Ends = nullptr; ///< what rays read: the depth, or what was set instead
   vtkOpenGLRenderWindow* Window = nullptr;
   Viewport View;
   int UsedTargets = 2;

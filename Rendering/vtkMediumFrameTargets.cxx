@@ -3,6 +3,7 @@
 // The float images that vtkMediumFrame integrates into, as a framebuffer.
 #include "vtkMediumFrame.h"
 
+#include "vtkMediumDrawState.h"
 #include "vtkMediumOpenGL.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -47,7 +48,7 @@ void vtkMediumFrame::BindTargets(int set)
   {
     this->Framebuffer->RemoveColorAttachment(target);
   }
-  this->Framebuffer->ActivateDrawBuffers(this->UsedTargets);
+  vtkMediumActivateDrawBuffers(this->Framebuffer, this->UsedTargets);
 }
 
 //------------------------------------------------------------------------------

@@ -41,16 +41,36 @@ vtkShaderProgram* vtkMediumProgram::Use(vtkOpenGLRenderWindow* window,
   }
   const bool altered = code && !code->IsEmpty();
   key += altered ? code->GetKey(files) : std::string();
-  std::unique_ptr<vtkOpenGLQuadHelper>& quad = this->Quads[key];
-  if (!quad)
-  {
-    const double before = vtkTimerLog::GetUniversalTime();
+  vtkShaderProgram* program = this->UseKey(window, key, [&]() {
     std::string text = vtkMediumProgram::Assemble(files, defines);
     if (altered)
     {
       code->Insert(text);
     }
-    quad.reset(new vtkOpenGLQuadHelper(window, nullptr, text.c_str(), nullptr));
+    return text;
+  });
+  if (program && altered)
+  {
+    code->SetUniforms(program);
+  }
+  return program;
+}
+
+//------------------------------------------------------------------------------
+vtkShaderProgram* vtkMediumProgram::Use(vtkOpenGLRenderWindow* window, const std::string& text)
+{
+  return this->UseKey(window, text, [&text]() { return text; });
+}
+
+//------------------------------------------------------------------------------
+vtkShaderProgram* vtkMediumProgram::UseKey(vtkOpenGLRenderWindow* window, const std::string& key,
+  const std::function<std::string()>& assemble)
+{
+  std::unique_ptr<vtkOpenGLQuadHelper>& quad = this->Quads[key];
+  if (!quad)
+  {
+    const double before = vtkTimerLog::GetUniversalTime();
+    quad.reset(new vtkOpenGLQuadHelper(window, nullptr, assemble().c_str(), nullptr));
     this->CompileMilliseconds += 1e3 * (vtkTimerLog::GetUniversalTime() - before);
     ++this->Compiles;
   }
@@ -61,10 +81,6 @@ vtkShaderProgram* vtkMediumProgram::Use(vtkOpenGLRenderWindow* window,
   }
   // Another pass may have made its own program current since the last draw.
   window->GetShaderCache()->ReadyShaderProgram(quad->Program);
-  if (altered)
-  {
-    code->SetUniforms(quad->Program);
-  }
   return quad->Program;
 }
 

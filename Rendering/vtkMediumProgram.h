@@ -10,6 +10,7 @@
 #include "vtkMediumCompatibility.h"
 #include "vtkParticipatingMediaRenderingModule.h" // for the export macro
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -39,6 +40,9 @@ public:
   vtkShaderProgram* Use(vtkOpenGLRenderWindow* window, const std::vector<std::string>& files,
     const std::string& defines, const vtkMediumUserCode* code = nullptr);
 
+  /// The same with a whole text.
+  vtkShaderProgram* Use(vtkOpenGLRenderWindow* window, const std::string& text);
+
   /// Draws the full viewport with the program last made current.
   void Draw();
 
@@ -51,6 +55,10 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
+  /// Makes the program of that key current; `assemble` writes the text of a new one.
+  vtkShaderProgram* UseKey(vtkOpenGLRenderWindow* window, const std::string& key,
+    const std::function<std::string()>& assemble);
+
   std::map<std::string, std::unique_ptr<vtkOpenGLQuadHelper>> Quads;
   vtkOpenGLQuadHelper* Current = nullptr;
   int Compiles = 0;

@@ -26,15 +26,6 @@
 namespace
 {
 //------------------------------------------------------------------------------
-std::string NameCompilerFault(const vtkMediumPlan& plan)
-{
-  return plan.UserCode ? "The shader code of the volume's vtkShaderProperty does not compile; the "
-                         "compiler's words are "
-                         "above. Correct it, or take it away (ClearAllFragmentShaderReplacements)."
-                       : "A shader did not compile on this device; the compiler's words are above.";
-}
-
-//------------------------------------------------------------------------------
 /// Milliseconds since it was made, or since the last lap.
 class Stopwatch
 {
@@ -259,40 +250,6 @@ vtkMediumPlan::Capabilities vtkMediumRenderer::FindCapabilities()
 }
 
 //------------------------------------------------------------------------------
-std::string vtkMediumRenderer::Integrate(
-  vtkMediumFrame& frame, const vtkMediumPlan& plan, const vtkMediumFrame::Progress& progress)
-{
-  const bool compiled =
-    frame.Integrate({ this->Programs, this->Textures, this->Accelerator, this->ShadowMap },
-      this->Scene, plan, progress);
-  return compiled ? std::string() : NameCompilerFault(plan);
-}
-
-//------------------------------------------------------------------------------
-std::string vtkMediumRenderer::IntegrateFrame(const Request& request, const vtkMediumPlan& plan,
-  const vtkMediumFrame::Viewport& viewport, bool mayBeHidden)
-{
-  std::string refusal =
-    this->Frame.Begin(this->Window, viewport, plan.NeedsState(), mayBeHidden, plan.Finishes);
-  if (refusal.empty())
-  {
-    refusal = this->Integrate(this->Frame, plan, request.Progress);
-  }
-  if (refusal.empty() && this->Frame.IsComplete() &&
-    request.Settings.Output == vtkSingleScatteringVolumeMapper::ErrorEstimate)
-  {
-    refusal = this->Probe.Begin(this->Window, viewport, plan.NeedsState(), mayBeHidden);
-    refusal = refusal.empty() ? this->Integrate(this->Probe, plan.Coarser()) : refusal;
-  }
-  if (refusal.empty() && this->Frame.IsComplete() && plan.Finishes &&
-    !this->Frame.Finish(this->Programs, this->Scene, plan))
-  {
-    refusal = NameCompilerFault(plan);
-  }
-  return refusal;
-}
-
-//------------------------------------------------------------------------------
 std::string vtkMediumRenderer::DrawFrame(
   const Request& request, const vtkMediumPlan::Settings& settings, const vtkMediumPlan& plan)
 {
@@ -301,6 +258,11 @@ std::string vtkMediumRenderer::DrawFrame(
   if (viewport.Size.x < 1 || viewport.Size.y < 1)
   {
     return {}; // a viewport without pixels shows nothing
+  }
+  this->InPieces = bool(request.Peeling);
+  if (this->InPieces)
+  {
+    return this->DrawPieces(request, plan, viewport);
   }
   const vtkMediumSurroundings surroundings(request.Renderer, request.Volume);
   vtkMediumSignature signature = vtkMediumSignature::OfFrame(this->Scene, settings);
@@ -315,7 +277,7 @@ std::string vtkMediumRenderer::DrawFrame(
   if (!this->Reused)
   {
     this->FrameSignature = vtkMediumSignature();
-    refusal = this->IntegrateFrame(request, plan, viewport, surroundings.MayHide());
+    refusal = this->IntegrateFrame(this->Frame, request, plan, viewport, surroundings.MayHide());
     if (refusal.empty() && this->Frame.IsComplete() && this->ShadowMap.IsComplete())
     {
       this->FrameSignature = signature;
@@ -354,7 +316,8 @@ void vtkMediumRenderer::CountWork(const vtkMediumPlan& plan, vtkMediumStatistics
   statistics->ShadowMapBuilds = this->ShadowMap.GetBuilds();
   statistics->Calibrations = this->StepControl.GetCalibrations();
   statistics->GPUBytes = this->Textures.GetBytes() + this->Accelerator.GetBytes() +
-    this->ShadowMap.GetBytes() + this->Frame.GetBytes() + this->Probe.GetBytes();
+    this->ShadowMap.GetBytes() + this->Peel.GetBytes() + this->Frame.GetBytes() +
+    this->Probe.GetBytes();
   const vtkMediumBricks& bricks = this->Accelerator.GetBricks();
   const std::size_t leapt =
     bricks.GetNumberOf(vtkMediumBricks::Empty) + this->Accelerator.GetBricksCutAway();
@@ -379,6 +342,7 @@ void vtkMediumRenderer::ReleaseGraphicsResources(vtkWindow* window)
     this->Accelerator.ReleaseGraphicsResources(window);
     this->ShadowMap.ReleaseGraphicsResources(window);
     this->Programs.ReleaseGraphicsResources(window);
+    this->Peel.ReleaseGraphicsResources(window);
     this->Probe.ReleaseGraphicsResources(window);
     this->Frame.ReleaseGraphicsResources(window);
     this->FrameSignature = vtkMediumSignature();

@@ -13,6 +13,7 @@
 #include "vtkMediumCompatibility.h"
 #include "vtkMediumFrame.h"
 #include "vtkMediumFrameBudget.h"
+#include "vtkMediumPeel.h"
 #include "vtkMediumPlan.h"
 #include "vtkMediumProgram.h"
 #include "vtkMediumScene.h"
@@ -62,6 +63,7 @@ public:
     bool Show = true;           ///< in the window
     vtkMediumFrame::Progress Progress;       ///< told after each draw of the frame; false stops it
     vtkHardwareSelector* Selector = nullptr; ///< to be shown where the medium is, see Select
+    vtkMediumPeel::Caller Peeling;           ///< the pass that peels the volume, if one does
     vtkMediumPlan::Settings Settings;
   };
 
@@ -78,6 +80,8 @@ public:
   vtkMediumFrame& GetCoarserFrame() { return this->Probe; }
   const vtkMediumScene& GetScene() const { return this->Scene; }
   int GetOutput() const { return this->Output; }
+  /// Whether the last frame is in pieces, between layers of depth peeling.
+  bool IsInPieces() const { return this->InPieces; }
   /// Of the last ErrorControlled frame; 0 if it has a closed form, -1 if it was hurried, and its error
   /// nobody's guess.
   double GetEstimatedError() const
@@ -107,8 +111,11 @@ private:
     std::string& refusal);
   std::string DrawFrame(
     const Request& request, const vtkMediumPlan::Settings& settings, const vtkMediumPlan& plan);
-  std::string IntegrateFrame(const Request& request, const vtkMediumPlan& plan,
-    const vtkMediumFrame::Viewport& viewport, bool mayBeHidden);
+  std::string IntegrateFrame(vtkMediumFrame& frame, const Request& request,
+    const vtkMediumPlan& plan, const vtkMediumFrame::Viewport& viewport, bool mayBeHidden,
+    vtkTextureObject* ends = nullptr);
+  std::string DrawPieces(
+    const Request& request, const vtkMediumPlan& plan, const vtkMediumFrame::Viewport& viewport);
   std::string DrawSelection(const Request& request, const vtkMediumPlan& plan);
   std::string Integrate(vtkMediumFrame& frame, const vtkMediumPlan& plan,
     const vtkMediumFrame::Progress& progress = {});
@@ -125,10 +132,12 @@ private:
   vtkMediumFrameBudget Budget;
   vtkMediumFrameBudget::Economy Economy; ///< of the last frame
   bool ClosedForm = false;               ///< the last frame was not marched
+  vtkMediumPeel Peel;
   vtkMediumFrame Probe;
   vtkMediumFrame Frame;
   vtkMediumSignature FrameSignature; ///< of what Frame holds; empty: of nothing
   bool Reused = false;               ///< the last Draw showed what Frame held already
+  bool InPieces = false;             ///< Frame holds a piece of each ray only
   int Output = 0;
 };
 

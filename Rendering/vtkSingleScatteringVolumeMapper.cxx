@@ -13,9 +13,7 @@
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
-#include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLRenderPass.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkTimerLog.h"
@@ -27,6 +25,10 @@
 
 namespace
 {
+const char* const NoImage =
+  "There is no complete image; render a frame first, with depth peeling of volumes "
+  "switched off (UseDepthPeelingForVolumesOff).";
+
 //------------------------------------------------------------------------------
 const char* NameOfBlendMode(vtkVolumeMapper& mapper)
 {
@@ -49,26 +51,6 @@ const char* NameOfBlendMode(vtkVolumeMapper& mapper)
 }
 
 vtkStandardNewMacro(vtkSingleScatteringVolumeMapper);
-
-namespace
-{
-//------------------------------------------------------------------------------
-// Whether a depth peeling pass draws the volume, layer by layer.
-bool IsPeeled(vtkVolume* volume)
-{
-  vtkInformation* keys = volume->GetPropertyKeys();
-  vtkInformationObjectBaseVectorKey* passes = vtkOpenGLRenderPass::RenderPasses();
-  for (int i = 0; keys && keys->Has(passes) && i < passes->Length(keys); ++i)
-  {
-    vtkObjectBase* pass = passes->Get(keys, i);
-    if (pass && pass->IsA("vtkDualDepthPeelingPass"))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-}
 
 //------------------------------------------------------------------------------
 vtkSingleScatteringVolumeMapper::vtkSingleScatteringVolumeMapper()
@@ -112,7 +94,7 @@ void vtkSingleScatteringVolumeMapper::Report(const std::string& refusal)
 //------------------------------------------------------------------------------
 std::string vtkSingleScatteringVolumeMapper::Draw(vtkRenderer* renderer, vtkVolume* volume)
 {
-  const std::string refusal = this->CheckContract(volume);
+  const std::string refusal = this->CheckContract();
   if (!refusal.empty())
   {
     return refusal;
@@ -159,6 +141,15 @@ std::string vtkSingleScatteringVolumeMapper::Draw(vtkRenderer* renderer, vtkVolu
   {
     return this->Drawing->Select(request);
   }
+  request.Peeling = vtkMediumPeel::FindCaller(this, volume);
+  if (request.Peeling && (!request.Show || request.Settings.Output != Radiance))
+  {
+    return "Depth peeling of volumes mixes radiance with geometry in the window, and nothing else; "
+           "set "
+           "SetOutputToRadiance, SetBlendModeToComposite and RenderToImageOff, or switch it off "
+           "for volumes "
+           "(UseDepthPeelingForVolumesOff).";
+  }
   const std::string problem = this->Drawing->Draw(request, this->Statistics);
   if (problem.empty() && this->Drawing->GetNonFinite() > 0)
   {
@@ -170,7 +161,7 @@ std::string vtkSingleScatteringVolumeMapper::Draw(vtkRenderer* renderer, vtkVolu
 }
 
 //------------------------------------------------------------------------------
-std::string vtkSingleScatteringVolumeMapper::CheckContract(vtkVolume* volume)
+std::string vtkSingleScatteringVolumeMapper::CheckContract()
 {
   std::ostringstream text;
   vtkDataObject* input = this->GetDataObjectInput();
@@ -188,14 +179,6 @@ std::string vtkSingleScatteringVolumeMapper::CheckContract(vtkVolume* volume)
          << "), but a participating medium has composite blending (SetBlendModeToComposite), and "
             "additive blending (SetBlendModeToAdditive) for the light that is lost along a ray.";
   }
-  else if (IsPeeled(volume))
-  {
-    text
-      << "The volume is drawn inside depth peeling, which this mapper does not take part in; "
-         "switch "
-         "it off for volumes (UseDepthPeelingForVolumesOff), translucent geometry is then behind "
-         "them all.";
-  }
   return text.str();
 }
 
@@ -204,9 +187,9 @@ void vtkSingleScatteringVolumeMapper::GetColorImage(vtkImageData* image)
 {
   vtkMediumFrame& frame = this->Drawing->GetFrame();
   const std::vector<float> radiance = frame.DownloadRadiance();
-  if (radiance.empty())
+  if (radiance.empty() || this->Drawing->IsInPieces())
   {
-    vtkErrorMacro(<< "There is no complete image; render a frame first.");
+    vtkErrorMacro(<< NoImage);
     return;
   }
   const std::vector<float> hits = frame.DownloadHits();
@@ -222,9 +205,9 @@ void vtkSingleScatteringVolumeMapper::GetDepthImage(vtkImageData* image)
 {
   vtkMediumFrame& frame = this->Drawing->GetFrame();
   const std::vector<float> hits = frame.DownloadHits();
-  if (hits.empty())
+  if (hits.empty() || this->Drawing->IsInPieces())
   {
-    vtkErrorMacro(<< "There is no complete image; render a frame first.");
+    vtkErrorMacro(<< NoImage);
     return;
   }
   const glm::ivec2 size = frame.GetViewport().GetRays();

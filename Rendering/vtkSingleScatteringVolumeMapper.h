@@ -28,7 +28,7 @@
  * reported once, until it changes or a frame succeeds. Refused are: an input that is not a
  * vtkImageData, has no scalars, has fewer than two points along an axis or a singular matrix; blend
  * modes other than these two; a gradient opacity other than 1 and two-dimensional transfer functions;
- * clipping and cropping planes that are none; depth peeling of volumes; a window that is not OpenGL 3.2;
+ * clipping and cropping planes that are none; outputs that depth peeling cannot mix; a window without OpenGL 3.2;
  * and the parameter values named below.
  *
  * @par Clipping and cropping
@@ -366,7 +366,7 @@ private:
 
   // Each returns an empty string, or why the frame cannot be drawn right.
   std::string Draw(vtkRenderer* renderer, vtkVolume* volume);
-  std::string CheckContract(vtkVolume* volume);
+  std::string CheckContract();
   void Report(const std::string& refusal);
 
   vtkSmartPointer<vtkImageData> MaskInput;

@@ -10,7 +10,7 @@ uniform vec3 eyeOrigin, eyeOriginX, eyeOriginY; // on the plane through the volu
 uniform vec3 eyeDirection, eyeDirectionX, eyeDirectionY;
 uniform float eyeReach; // from the eye to that plane, in lengths of the direction
 uniform vec4 nearPlane, farPlane; // clip w + z and w - z: > 0 between the planes
-uniform sampler2D opaqueDepth;
+uniform sampler2D opaqueDepth; // red: where the rays end; 1 - alpha: where they begin, 0 in textures of depth
 #ifdef TILES
 uniform sampler2D tiles; // for each square of pixels, the first and last t at which its rays meet a brick
 #endif
@@ -43,13 +43,13 @@ EyeRay eyeRay()
   vec3 direction = normalize(along);
   float reach = eyeReach * length(along);
   vec2 interval = rayBox(frameBoxPoint(origin), frameBoxDirection(direction));
-  interval.x = max(interval.x, eyeRayAtDepth(origin, direction, 0.0));
   // Several pixels of the window may share the ray.
   ivec2 texel = ivec2(pixel / viewportSize * vec2(textureSize(opaqueDepth, 0)));
-  float depth = texelFetch(opaqueDepth, texel, 0).r;
-  if (depth < 1.0)
+  vec4 depths = texelFetch(opaqueDepth, texel, 0);
+  interval.x = max(interval.x, eyeRayAtDepth(origin, direction, 1.0 - depths.a));
+  if (depths.r < 1.0)
   {
-    interval.y = min(interval.y, eyeRayAtDepth(origin, direction, depth));
+    interval.y = min(interval.y, eyeRayAtDepth(origin, direction, depths.r));
   }
 #ifdef TILES
   vec2 tile = texelFetch(tiles, ivec2(pixel) / TILES, 0).rg - reach;

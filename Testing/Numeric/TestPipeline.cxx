@@ -301,25 +301,6 @@ TEST(Pipeline, RenderPassesShowTheSameMedium)
   EXPECT_TRUE(scene.Errors.empty());
 }
 
-TEST(Pipeline, DepthPeelingOfVolumesIsRefusedOnce)
-{
-  BallScene scene;
-  vtkSmartPointer<vtkActor> glass = Plane{ { 0, 0, 1 }, -0.6 }.AddTo(scene.Renderer);
-  glass->GetProperty()->SetOpacity(0.5);
-  scene.Window->SetAlphaBitPlanes(1);
-  scene.Renderer->UseDepthPeelingOn();
-  const std::vector<unsigned char> behind = scene.RenderWindow();
-  EXPECT_TRUE(scene.Errors.empty());
-  scene.Renderer->UseDepthPeelingForVolumesOn();
-  scene.Window->Render();
-  scene.Window->Render();
-  ASSERT_EQ(scene.Errors.size(), 1u);
-  EXPECT_NE(scene.Errors[0].find("UseDepthPeelingForVolumesOff"), std::string::npos);
-  scene.Renderer->UseDepthPeelingForVolumesOff();
-  EXPECT_EQ(scene.RenderWindow(), behind);
-  EXPECT_EQ(scene.Errors.size(), 1u);
-}
-
 TEST(Pipeline, WindowsWithSRGBAndSamplesHoldTheSameImage)
 {
   BallScene scene;

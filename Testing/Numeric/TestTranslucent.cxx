@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Translucent geometry with a volume: VTK draws all of it before all volumes, with depth peeling and
-// without. So it is right behind the medium; in front of it, a renderer of a layer above is.
+// Translucent geometry with a volume. VTK draws all of it before all volumes, with depth peeling and
+// without, so it is right behind the medium; in front of it, a renderer of a layer above is. Where peeling
+// takes volumes too (UseDepthPeelingForVolumes), it is right anywhere.
 #include "OpaquePlane.h"
 
 #include "vtkCullerCollection.h"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 using namespace vtkMediumTest;
 
@@ -116,6 +118,169 @@ TEST(Translucent, GlassInFrontIsRightInALayerAbove)
   scene.AddGlass(scene.Renderer, -0.6);
   EXPECT_LT(scene.DifferenceFrom(true, true), Rounding);
   EXPECT_TRUE(scene.Errors.empty());
+}
+
+namespace
+{
+// Eight bits in each of some ten blends into the targets of peeling.
+constexpr double PeelRounding = 6.0 / 255;
+
+/// A scene whose volume is peeled, at a distance of 3.
+struct PeeledScene : GlassScene
+{
+  explicit PeeledScene(int integrator)
+    : GlassScene(true)
+  {
+    this->Mapper->SetIntegrator(integrator);
+    this->SetSteps(0.01, 0.05);
+    this->Renderer->UseDepthPeelingForVolumesOn();
+    this->Renderer->SetMaximumNumberOfPeels(10);
+  }
+
+  /// The medium beyond a height, as a camera sees it whose near plane is there: light is not cut.
+  Picture Below(double z)
+  {
+    this->Renderer->UseDepthPeelingForVolumesOff();
+    double range[2];
+    this->Camera->GetClippingRange(range);
+    this->Camera->SetClippingRange(3 - z, range[1]);
+    const Picture picture = this->Render();
+    this->Camera->SetClippingRange(range);
+    this->Renderer->UseDepthPeelingForVolumesOn();
+    return picture;
+  }
+
+  /// The largest difference of the window from panes at these heights, highest first, before `behind`.
+  double DifferenceFrom(const std::vector<double>& panes, const glm::dvec3& behind)
+  {
+    const std::vector<unsigned char> shown = this->RenderWindow();
+    std::vector<Picture> below{ this->Below(2) };
+    for (double z : panes)
+    {
+      below.push_back(this->Below(z));
+    }
+    below.push_back(this->Below(-0.4999)); // a volume behind the near plane as a whole is not drawn
+    double largest = 0;
+    for (std::size_t i = 0; i < shown.size(); ++i)
+    {
+      const int pixel = static_cast<int>(i / 3), x = pixel % Side, y = pixel / Side, c = i % 3;
+      double seen = behind[c];
+      for (std::size_t layer = panes.size() + 1; layer-- > 0;)
+      {
+        seen = layer < panes.size() ? Opacity * Glass[c] + (1 - Opacity) * seen : seen;
+        const Picture &whole = below[layer], &rest = below[layer + 1];
+        const double passes = (1 - whole.At(x, y, 3)) / (1 - rest.At(x, y, 3));
+        seen = whole.At(x, y, c) - passes * rest.At(x, y, c) + passes * seen;
+      }
+      largest = std::max(largest, std::abs(shown[i] / 255.0 - std::min(seen, 1.0)));
+    }
+    return largest;
+  }
+};
+
+class PeeledVolumes : public testing::TestWithParam<int>
+{
+};
+}
+
+TEST_P(PeeledVolumes, MixWithGlassBeforeInAndBehindThem)
+{
+  for (bool parallel : { false, true })
+  {
+    SCOPED_TRACE(testing::Message() << "parallel " << parallel);
+    PeeledScene scene(GetParam());
+    scene.Camera->SetParallelProjection(parallel);
+    scene.Camera->SetParallelScale(0.8);
+    EXPECT_LT(scene.DifferenceFrom({}, Background), PeelRounding);
+    std::vector<double> panes;
+    for (double z : { -0.49, -0.2, 0.2, 0.6 }) // inside, and before all
+    {
+      const std::vector<double> before = panes;
+      scene.AddGlass(scene.Renderer, z);
+      panes.insert(panes.begin(), z);
+      EXPECT_LT(scene.DifferenceFrom(panes, Background), PeelRounding) << z;
+      EXPECT_GT(scene.DifferenceFrom(before, Background), 2 * PeelRounding) << z;
+    }
+    EXPECT_TRUE(scene.Errors.empty());
+  }
+}
+
+TEST_P(PeeledVolumes, EndAtOpaqueGeometry)
+{
+  const glm::dvec3 paint(0.1, 0.8, 0.3);
+  PeeledScene scene(GetParam());
+  vtkSmartPointer<vtkActor> wall = Plane{ { 0, 0, 1 }, -0.25 }.AddTo(scene.Renderer);
+  wall->GetProperty()->SetColor(paint.x, paint.y, paint.z);
+  wall->GetProperty()->LightingOff();
+  const std::vector<double> panes{ 0.3, 0.1 };
+  for (double z : { 0.3, 0.1, -0.4 })
+  {
+    scene.AddGlass(scene.Renderer, z);
+  }
+  EXPECT_LT(scene.DifferenceFrom(panes, paint), PeelRounding);
+  EXPECT_GT(scene.DifferenceFrom(panes, Background), 2 * PeelRounding);
+  EXPECT_TRUE(scene.Errors.empty());
+}
+
+// Shadow maps are drawn in the middle of a peel, of actors that are marked as peeled.
+TEST_P(PeeledVolumes, KeepTheShadowsOfOpaqueGeometry)
+{
+  auto shadowed = [](PeeledScene& scene) {
+    scene.Mapper->OpaqueShadowsOn();
+    Quad{ { -0.3, 0.7, -0.6 }, { 0.5, 0, 0 }, { 0, 0, 1 } }.AddTo(scene.Renderer);
+  };
+  PeeledScene scene(GetParam());
+  const std::vector<unsigned char> bright = scene.RenderWindow();
+  shadowed(scene);
+  const std::vector<unsigned char> peeled = scene.RenderWindow();
+  EXPECT_EQ(scene.Mapper->GetStatistics()->GetShadowMapBuilds(), 1);
+  PeeledScene whole(GetParam());
+  shadowed(whole);
+  whole.Renderer->UseDepthPeelingForVolumesOff();
+  const std::vector<unsigned char> expected = whole.RenderWindow();
+  int darker = 0;
+  for (std::size_t i = 0; i < expected.size(); ++i)
+  {
+    EXPECT_NEAR(peeled[i], expected[i], 3) << i;
+    darker += bright[i] - expected[i] > 12;
+  }
+  EXPECT_GT(darker, 30);
+}
+
+INSTANTIATE_TEST_SUITE_P(Translucent, PeeledVolumes,
+  testing::Values(vtkSingleScatteringVolumeMapper::FixedStep,
+    vtkSingleScatteringVolumeMapper::ErrorControlled, vtkSingleScatteringVolumeMapper::Exact));
+
+TEST(Translucent, PeelingShowsRadianceInTheWindowOnly)
+{
+  const std::function<void(PeeledScene&)> causes[] = {
+    [](PeeledScene& scene) { scene.Mapper->SetOutputToTransmittance(); },
+    [](PeeledScene& scene) { scene.Mapper->SetBlendModeToAdditive(); },
+    [](PeeledScene& scene) { scene.Mapper->RenderToImageOn(); },
+  };
+  for (const auto& cause : causes)
+  {
+    PeeledScene scene(vtkSingleScatteringVolumeMapper::FixedStep);
+    scene.AddGlass(scene.Renderer, 0.1);
+    cause(scene);
+    scene.Window->Render();
+    scene.Window->Render();
+    ASSERT_EQ(scene.Errors.size(), 1u);
+    EXPECT_NE(scene.Errors[0].find("UseDepthPeelingForVolumesOff"), std::string::npos);
+    scene.Mapper->SetOutputToRadiance();
+    scene.Mapper->SetBlendModeToComposite();
+    scene.Mapper->RenderToImageOff();
+    const std::vector<unsigned char> mixed = scene.RenderWindow();
+    EXPECT_EQ(scene.Errors.size(), 1u);
+    scene.Render(); // a picture of which there are only pieces
+    EXPECT_EQ(scene.Errors.size(), 2u);
+    scene.Renderer->UseDepthPeelingForVolumesOff();
+    const Picture whole = scene.Render();
+    EXPECT_GT(whole.At(Side / 2, Side / 2, 3), 0.5);
+    scene.Renderer->UseDepthPeelingForVolumesOn();
+    EXPECT_EQ(scene.RenderWindow(), mixed);
+    EXPECT_EQ(scene.Errors.size(), 2u);
+  }
 }
 
 // As VTK's own mapper: by the order of adding, or from the back to the front by the culler.
