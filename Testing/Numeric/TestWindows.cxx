@@ -7,6 +7,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
 using namespace vtkMediumTest;
 
 namespace
@@ -164,6 +169,59 @@ TEST(Windows, ViewportsThatShareAMapperAreTheirOwnImages)
     EXPECT_EQ(scene.Mapper->GetStatistics()->GetBrickBuilds(),
       integrator == vtkSingleScatteringVolumeMapper::ErrorControlled ? 1 : 0);
   }
+}
+
+// Each view sets how far its rays are apart as it begins: a coarse one fills the window, a fine one its middle.
+TEST(Windows, FoveatedWindowIsFineInItsMiddleAndBuildsNothingMore)
+{
+  constexpr int Pixels = 4 * Side;
+  BallScene scene(Pixels, vtkSingleScatteringVolumeMapper::ErrorControlled);
+  scene.Light->SetIntensity(20); // differences of rays are many levels
+  const std::vector<unsigned char> fine = scene.RenderWindow();
+  scene.Mapper->SetImageSampleDistance(4);
+  const std::vector<unsigned char> coarse = scene.RenderWindow();
+
+  vtkNew<vtkRenderer> middle;
+  middle->AutomaticLightCreationOff();
+  middle->AddLight(scene.Light);
+  middle->AddVolume(scene.Volume);
+  middle->SetViewport(0.25, 0.25, 0.75, 0.75);
+  vtkNew<vtkCamera> closer; // half of the window, along each axis
+  closer->DeepCopy(scene.Camera);
+  closer->SetViewAngle(
+    2 * std::atan(std::tan(scene.Camera->GetViewAngle() * Pi / 360) / 2) * 180 / Pi);
+  middle->SetActiveCamera(closer);
+  scene.Window->AddRenderer(middle);
+  auto begin = [&scene](vtkRenderer* renderer, vtkCallbackCommand* command) {
+    command->SetClientData(&scene);
+    command->SetCallback([](vtkObject* caller, unsigned long, void* data, void*) {
+      auto* self = static_cast<BallScene*>(data);
+      self->Mapper->SetImageSampleDistance(caller == self->Renderer ? 4 : 1);
+    });
+    renderer->AddObserver(vtkCommand::StartEvent, command);
+  };
+  vtkNew<vtkCallbackCommand> outside, inside;
+  begin(scene.Renderer, outside);
+  begin(middle, inside);
+  const std::vector<unsigned char> both = scene.RenderWindow();
+  int sharper = 0;
+  for (int i = 0; i < 3 * Pixels * Pixels; ++i)
+  {
+    const int x = i / 3 % Pixels, y = i / 3 / Pixels;
+    const bool isMiddle = std::min(x, y) >= Pixels / 4 && std::max(x, y) < 3 * Pixels / 4;
+    ASSERT_NEAR(both[i], isMiddle ? fine[i] : coarse[i], 1) << x << ", " << y;
+    sharper += isMiddle && std::abs(fine[i] - coarse[i]) > 1;
+  }
+  EXPECT_GT(sharper, 100);
+  vtkMediumStatistics* done = scene.Mapper->GetStatistics();
+  const std::array<vtkTypeInt64, 4> before{ done->GetTextureUploads(), done->GetBrickBuilds(),
+    done->GetLightCacheBuilds(), done->GetProgramCompiles() };
+  scene.Camera->Azimuth(3);
+  closer->Azimuth(3);
+  scene.RenderWindow();
+  EXPECT_EQ(before,
+    (std::array<vtkTypeInt64, 4>{ done->GetTextureUploads(), done->GetBrickBuilds(),
+      done->GetLightCacheBuilds(), done->GetProgramCompiles() }));
 }
 
 // The lights belong to a renderer, not to the mapper.
