@@ -174,6 +174,7 @@ bool vtkMediumAccelerator::UploadGroup(int group, const vtkMediumPlan& plan)
   texture->ResetFormatAndType(); // it may have had other channels
   texture->SetInternalFormat(formats[channels]);
   texture->SetDataType(GL_HALF_FLOAT);
+  ++this->LightCacheUploads;
   return texture->Create3DFromRaw(size.x, size.y, size.z, channels, VTK_FLOAT, texels.data()) &&
     vtkMediumIsAllocated(texture);
 }

@@ -55,6 +55,7 @@ public:
   /// Since creation.
   int GetBrickBuilds() const { return this->BrickBuilds; }
   int GetLightCacheBuilds() const { return this->LightCacheBuilds; }
+  int GetLightCacheUploads() const { return this->LightCacheUploads; }
   const vtkMediumBricks& GetBricks() const { return this->Bricks; }
   vtkTypeInt64 GetBytes() const;
 
@@ -90,6 +91,7 @@ private:
   std::vector<vtkTextureObject*> Active;
   int BrickBuilds = 0;
   int LightCacheBuilds = 0;
+  int LightCacheUploads = 0;
 };
 
 #endif

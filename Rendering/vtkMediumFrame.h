@@ -122,6 +122,8 @@ public:
   int GetDraws() const { return this->Draws; }
 
   vtkTypeInt64 GetBytes() const;
+  /// Depth buffers copied, since creation.
+  int GetDepthCopies() const { return this->Depth.GetCopies(); }
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:

@@ -112,6 +112,7 @@ void vtkMediumOpaqueDepth::Capture(
   state->vtkglBlitFramebuffer(origin.x, origin.y, origin.x + size.x, origin.y + size.y, 0, 0,
     size.x, size.y, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
   state->PopFramebufferBindings();
+  ++this->Copies;
 }
 
 //------------------------------------------------------------------------------

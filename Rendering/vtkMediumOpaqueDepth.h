@@ -33,6 +33,8 @@ public:
 
   vtkTextureObject* GetTexture() { return this->Texture; }
   vtkTypeInt64 GetBytes() const;
+  /// How often Capture copied a depth buffer, since creation.
+  int GetCopies() const { return this->Copies; }
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
@@ -51,6 +53,7 @@ private:
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   vtkNew<vtkTextureObject> Texture;
   int Format = None;
+  int Copies = 0;
 };
 
 #endif

@@ -13,7 +13,6 @@
 #include <cmath>
 #include <initializer_list>
 #include <limits>
-#include <numeric>
 #include <sstream>
 
 namespace
@@ -238,6 +237,7 @@ void vtkMediumPlan::ChooseProgram(
 {
   const bool paper = settings.Integrator == Mapper::Paper;
   const bool exact = settings.Integrator == Mapper::Exact;
+  this->ReadsFunctions = !paper && !scene.Content.Functions.empty();
   std::ostringstream defines;
   defines << (this->Lit ? "#define LIT\n" : "");
   defines << (this->OpaqueShadows ? "#define OPAQUE_SHADOWS\n" : "");
@@ -246,11 +246,7 @@ void vtkMediumPlan::ChooseProgram(
   defines << "#define FIELD_COUNT " << this->Fields.size() << "\n";
   if (paper)
   {
-    defines << "#define BINARY_SEARCH_ITERATIONS " << settings.BinarySearchIterations << "\n";
-    defines << (settings.AssumeConvex ? "#define ASSUME_CONVEX\n" : "");
-    std::vector<int> masks(this->Fields.size() - 1);
-    std::iota(masks.begin(), masks.end(), 1); // behind the scalars
-    defines << vtkMediumStructure::MaskDefines(masks);
+    defines << this->PaperDefines(settings);
   }
   else
   {
@@ -269,7 +265,9 @@ void vtkMediumPlan::ChooseProgram(
   }
   if (exact && !this->ClosedForm)
   {
-    defines << vtkMediumStructure::ExactDefines(scene.Content);
+    const std::string functions = vtkMediumStructure::ExactDefines(scene.Content);
+    this->ReadsFunctionIntegrals = !functions.empty();
+    defines << functions;
     defines << "#define EXACT_PARTS " << ExactParts << "\n";
     defines << "#define LATTICE_COUNT " << this->Lattices.size() << "\n";
     const bool linear = std::any_of(this->Fields.begin(), this->Fields.end(),

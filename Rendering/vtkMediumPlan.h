@@ -136,6 +136,9 @@ public:
   bool ConstantExtinction = false; ///< the optical depth of a light ray is its length
   bool OpaqueShadows = false;      ///< opaque geometry stands in the light
   int OpaqueShadowResolution = 0;
+  bool ReadsFunctions = false;         ///< the tables of the scene's functions are needed
+  bool ReadsFunctionIntegrals = false; ///< Exact: and those of their integrals
+  bool ReadsJitter = false;            ///< Paper: the table of random numbers is needed
   bool Lit = false;     ///< light rays are marched: there is light, and something scatters it
   double EyeStep = 0;   ///< local units
   double LightStep = 0; ///< local units
@@ -186,6 +189,7 @@ private:
   void PlanErrorControlled(const vtkMediumScene&, const Settings&);
   void PlanExact(const vtkMediumScene&, const Capabilities&);
   std::string OutputDefines(const Settings&) const;
+  std::string PaperDefines(const Settings&) const;
   int CountLightIterations(bool paper) const;
   void SplitIntoPasses(const vtkMediumScene&, const Settings&, const Capabilities&);
   void ChooseProgram(const vtkMediumScene&, const Settings&, const Capabilities&);

@@ -3,8 +3,10 @@
 // What the Paper integrator asks of a scene, and the homogeneous medium that it makes of it.
 #include "vtkMediumPlan.h"
 
+#include "vtkMediumStructure.h"
 #include "vtkSingleScatteringVolumeMapper.h"
 
+#include <numeric>
 #include <sstream>
 
 namespace
@@ -108,6 +110,20 @@ void vtkMediumPlan::PlanPaper(const vtkMediumScene& scene, const Settings& setti
     extinction += scattering;
   }
   this->Filled = Homogeneous{ extinction, scattering };
+  this->ReadsJitter = settings.Jitter > 0;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkMediumPlan::PaperDefines(const Settings& settings) const
+{
+  std::ostringstream text;
+  text << "#define BINARY_SEARCH_ITERATIONS " << settings.BinarySearchIterations << "\n";
+  text << (settings.AssumeConvex ? "#define ASSUME_CONVEX\n" : "");
+  text << (this->ReadsJitter ? "#define JITTER\n" : "");
+  std::vector<int> masks(this->Fields.size() - 1);
+  std::iota(masks.begin(), masks.end(), 1); // behind the scalars
+  text << vtkMediumStructure::MaskDefines(masks);
+  return text.str();
 }
 
 //------------------------------------------------------------------------------

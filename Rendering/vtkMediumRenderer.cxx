@@ -313,7 +313,9 @@ void vtkMediumRenderer::CountWork(const vtkMediumPlan& plan, vtkMediumStatistics
   statistics->ProgramCompiles = this->Programs.GetCompiles();
   statistics->BrickBuilds = this->Accelerator.GetBrickBuilds();
   statistics->LightCacheBuilds = this->Accelerator.GetLightCacheBuilds();
+  statistics->LightCacheUploads = this->Accelerator.GetLightCacheUploads();
   statistics->ShadowMapBuilds = this->ShadowMap.GetBuilds();
+  statistics->OpaqueDepthCopies = this->Frame.GetDepthCopies() + this->Probe.GetDepthCopies();
   statistics->Calibrations = this->StepControl.GetCalibrations();
   statistics->GPUBytes = this->Textures.GetBytes() + this->Accelerator.GetBytes() +
     this->ShadowMap.GetBytes() + this->Peel.GetBytes() + this->Frame.GetBytes() +

@@ -38,7 +38,9 @@ void vtkMediumStatistics::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BricksLeapt: " << this->BricksLeapt << "\n";
   os << indent << "BrickBuilds: " << this->BrickBuilds << "\n";
   os << indent << "LightCacheBuilds: " << this->LightCacheBuilds << "\n";
+  os << indent << "LightCacheUploads: " << this->LightCacheUploads << "\n";
   os << indent << "ShadowMapBuilds: " << this->ShadowMapBuilds << "\n";
+  os << indent << "OpaqueDepthCopies: " << this->OpaqueDepthCopies << "\n";
   os << indent << "Calibrations: " << this->Calibrations << "\n";
   os << indent << "GPUBytes: " << this->GPUBytes << "\n";
 }

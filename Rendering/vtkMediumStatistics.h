@@ -79,16 +79,19 @@ public:
   ///@{
   /// Since creation: frames drawn, those of them that only showed again what was integrated for the one
   /// before, textures uploaded (not counting the lights' few numbers), programs
-  /// compiled, bricks built for an extinction, light caches built, views of opaque geometry that were drawn
-  /// for its shadows (one for a light, up to six for one inside of the volume or near it), and steps found
-  /// from probe pixels.
+  /// compiled, bricks built for an extinction, light caches built, textures of light caches uploaded (up to
+  /// four lights each, for a new density scale too), views of opaque geometry that were drawn
+  /// for its shadows (one for a light, up to six for one inside of the volume or near it), copies of the
+  /// depth of opaque geometry that may hide the volume, and steps found from probe pixels.
   vtkGetMacro(Frames, vtkTypeInt64);
   vtkGetMacro(FramesReused, vtkTypeInt64);
   vtkGetMacro(TextureUploads, vtkTypeInt64);
   vtkGetMacro(ProgramCompiles, vtkTypeInt64);
   vtkGetMacro(BrickBuilds, vtkTypeInt64);
   vtkGetMacro(LightCacheBuilds, vtkTypeInt64);
+  vtkGetMacro(LightCacheUploads, vtkTypeInt64);
   vtkGetMacro(ShadowMapBuilds, vtkTypeInt64);
+  vtkGetMacro(OpaqueDepthCopies, vtkTypeInt64);
   vtkGetMacro(Calibrations, vtkTypeInt64);
   ///@}
 
@@ -125,7 +128,9 @@ private:
   vtkTypeInt64 BricksLeapt = 0;
   vtkTypeInt64 BrickBuilds = 0;
   vtkTypeInt64 LightCacheBuilds = 0;
+  vtkTypeInt64 LightCacheUploads = 0;
   vtkTypeInt64 ShadowMapBuilds = 0;
+  vtkTypeInt64 OpaqueDepthCopies = 0;
   vtkTypeInt64 Calibrations = 0;
   vtkTypeInt64 GPUBytes = 0;
 

@@ -30,6 +30,39 @@ void AppendTexel(std::vector<float>& texels, const glm::dvec3& rgb, double alpha
 }
 
 //------------------------------------------------------------------------------
+std::vector<float> SamplesOf(const std::vector<vtkMediumFunction>& functions)
+{
+  std::vector<float> texels;
+  for (const vtkMediumFunction& function : functions)
+  {
+    for (const glm::dvec4& sample : function.GetSamples())
+    {
+      AppendTexel(texels, glm::dvec3(sample), sample.w);
+    }
+  }
+  return texels;
+}
+
+//------------------------------------------------------------------------------
+// From a function's first sample to each, its range as 1.
+std::vector<float> IntegralsOf(const std::vector<vtkMediumFunction>& functions)
+{
+  std::vector<float> texels;
+  for (const vtkMediumFunction& function : functions)
+  {
+    const std::vector<glm::dvec4>& samples = function.GetSamples();
+    const double intervals = static_cast<double>(samples.size()) - 1;
+    glm::dvec4 integral(0);
+    for (std::size_t i = 0; i < samples.size(); ++i)
+    {
+      integral += i == 0 ? glm::dvec4(0) : 0.5 * (samples[i - 1] + samples[i]) / intervals;
+      AppendTexel(texels, glm::dvec3(integral), integral.w);
+    }
+  }
+  return texels;
+}
+
+//------------------------------------------------------------------------------
 std::string Indexed(const char* name, std::size_t index)
 {
   return std::string(name) + '[' + std::to_string(index) + ']';
@@ -59,10 +92,16 @@ std::string vtkMediumTextures::Update(
     }
   }
   this->TableFailed = false;
-  this->UpdateFunctions(scene.Content.Functions);
+  if (plan.ReadsFunctions)
+  {
+    this->UpdateFunctions(scene.Content.Functions, plan.ReadsFunctionIntegrals);
+  }
   this->UpdateLights(scene.Lights);
   this->UpdatePhase(scene.Content.PhaseTable);
-  this->UpdateJitter();
+  if (plan.ReadsJitter)
+  {
+    this->UpdateJitter();
+  }
   if (this->TableFailed)
   {
     return "The device could not allocate a table of floats; free device memory.";
@@ -145,32 +184,25 @@ void vtkMediumTextures::UploadTable(vtkTextureObject* texture, int width, int he
 }
 
 //------------------------------------------------------------------------------
-void vtkMediumTextures::UpdateFunctions(const std::vector<vtkMediumFunction>& functions)
+void vtkMediumTextures::UpdateFunctions(
+  const std::vector<vtkMediumFunction>& functions, bool integrals)
 {
-  if (functions.empty() || (this->FunctionTable->GetHandle() && functions == this->Functions))
+  if (functions != this->Functions)
   {
-    return;
-  }
-  std::vector<float> texels, primitives;
-  for (const vtkMediumFunction& function : functions)
-  {
-    const double intervals = static_cast<double>(function.GetSamples().size()) - 1;
-    glm::dvec4 before(0);
-    glm::dvec4 primitive(0);
-    for (const glm::dvec4& sample : function.GetSamples())
-    {
-      const bool first = &sample == function.GetSamples().data();
-      primitive += first ? glm::dvec4(0) : 0.5 * (before + sample) / intervals;
-      before = sample;
-      AppendTexel(texels, glm::dvec3(sample), sample.w);
-      AppendTexel(primitives, glm::dvec3(primitive), primitive.w);
-    }
+    this->FunctionTable->ReleaseGraphicsResources(this->Window);
+    this->PrimitiveTable->ReleaseGraphicsResources(this->Window);
+    this->Functions = functions;
   }
   const int width = static_cast<int>(functions.front().GetSamples().size());
   const int height = static_cast<int>(functions.size());
-  this->UploadTable(this->FunctionTable, width, height, 4, texels, true);
-  this->UploadTable(this->PrimitiveTable, width, height, 4, primitives, false);
-  this->Functions = functions;
+  if (!this->FunctionTable->GetHandle())
+  {
+    this->UploadTable(this->FunctionTable, width, height, 4, SamplesOf(functions), true);
+  }
+  if (integrals && !this->PrimitiveTable->GetHandle())
+  {
+    this->UploadTable(this->PrimitiveTable, width, height, 4, IntegralsOf(functions), false);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -300,8 +332,8 @@ void vtkMediumTextures::ReleaseGraphicsResources(vtkWindow* window)
 //------------------------------------------------------------------------------
 vtkTypeInt64 vtkMediumTextures::GetBytes() const
 {
-  vtkTypeInt64 floats =
-    JitterSize * JitterSize + this->LightTexels.size() + this->PhaseTexels.size();
+  vtkTypeInt64 floats = this->LightTexels.size() + this->PhaseTexels.size();
+  floats += this->JitterTable->GetHandle() ? JitterSize * JitterSize : 0;
   vtkTypeInt64 bytes = 0;
   for (const auto& field : this->Fields)
   {
@@ -309,7 +341,7 @@ vtkTypeInt64 vtkMediumTextures::GetBytes() const
   }
   for (const vtkMediumFunction& function : this->Functions)
   {
-    floats += 2 * 4 * function.GetSamples().size();
+    floats += (this->PrimitiveTable->GetHandle() ? 2 : 1) * 4 * function.GetSamples().size();
   }
   return bytes + floats * sizeof(float);
 }

@@ -58,7 +58,7 @@ private:
 
   bool UpdateField(FieldTexture& texture, const vtkMediumField& field);
   bool UploadField(vtkTextureObject* texture, const vtkMediumField& field);
-  void UpdateFunctions(const std::vector<vtkMediumFunction>& functions);
+  void UpdateFunctions(const std::vector<vtkMediumFunction>& functions, bool integrals);
   void UpdateLights(const std::vector<vtkMediumScene::Light>& lights);
   void UpdatePhase(const std::vector<double>& table);
   void UpdateJitter();

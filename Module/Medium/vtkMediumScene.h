@@ -201,7 +201,7 @@ public:
   /// creates lights automatically, its headlight. Head- and camera lights stand where the
   /// renderer's camera is now. Only the diffuse colour lights a medium: ambient and specular
   /// colours, and the renderer's ambient light, are ignored. A cone of 90 degrees or more is no
-  /// spot. After GatherVolume.
+  /// spot. Lights that are black, and spots whose cone misses the volume, are left out. After GatherVolume.
   std::string GatherLights(vtkRenderer* renderer);
 
   /// What one light is. Without a renderer, head- and camera lights stand where they were put last. After

@@ -10,6 +10,7 @@
 #include "vtkNew.h"
 #include "vtkRenderer.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -142,6 +143,27 @@ std::string CheckLight(
   }
   return problem.str();
 }
+
+//------------------------------------------------------------------------------
+// Whether a light sends anything into the sphere around the volume. A spot does so where its cone, as seen
+// from it, meets the disc of the sphere.
+bool Reaches(const vtkMediumScene::Light& light)
+{
+  const double radius = 0.5; // the volume's longest diagonal is one local unit
+  const double distance = glm::length(light.Position);
+  if (light.Irradiance == glm::dvec3(0))
+  {
+    return false;
+  }
+  if (light.Type != vtkMediumScene::Light::Spot || distance <= radius)
+  {
+    return true;
+  }
+  const double rounding = 1e-6;
+  const double cosine = -glm::dot(light.Direction, light.Position) / distance;
+  const double off = std::acos(glm::clamp(cosine, -1.0, 1.0)); // NaN for places beyond measure
+  return !(off > std::acos(light.CosCone) + std::asin(radius / distance) + rounding);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -194,7 +216,7 @@ std::string vtkMediumScene::GatherLights(vtkRenderer* renderer)
       this->Lights.clear();
       return problem;
     }
-    if (light.Irradiance != glm::dvec3(0))
+    if (Reaches(light))
     {
       this->Lights.push_back(light);
     }

@@ -44,6 +44,16 @@ struct ExactPart
   float depth; // optical depth by the samples alone
 };
 
+// Whether anything comes from a point: without light rays, no scattering does.
+bool exactSends(Content content)
+{
+#ifdef LIT
+  return content.scattering + content.emission != vec3(0.0);
+#else
+  return content.emission != vec3(0.0);
+#endif
+}
+
 ExactPart exactGather(EyeRay ray, vec3 start, vec3 along, float a, float width)
 {
   vec3 halves = vec3(0.0), ends = vec3(0.0), odd = vec3(0.0);
@@ -54,7 +64,7 @@ ExactPart exactGather(EyeRay ray, vec3 start, vec3 along, float a, float width)
     Content content = contentAt(start + t * along);
     COUNT(1);
     depth += exactHalves[k] * SPECTRUM_MEAN(content.extinction);
-    if (content.scattering + content.emission != vec3(0.0))
+    if (exactSends(content))
     {
       vec3 source = sourceAt(ray.origin + t * ray.direction, ray.direction, 0.0, content) *
         transmittance(exactCellDepth(start, along, a, t));

@@ -10,9 +10,11 @@
 
 uniform vec3 paperExtinction, paperScattering; // per local unit
 uniform float paperAnisotropy;
+#ifdef JITTER
 uniform float paperJitter;      // the largest start, as a fraction of a step
 uniform sampler2D jitterTable;  // random numbers in [0, 1)
 uniform ivec2 firstPixel;       // of the target in the viewport, of which it may be a tile
+#endif
 
 #ifdef LIT
 // The length of the light ray inside the medium, from a point in it to where the ray leaves the volume
@@ -165,8 +167,12 @@ void main()
   FrameState state = frameBegin();
   vec3 start = frameBoxPoint(ray.origin);
   vec3 along = frameBoxDirection(ray.direction);
+#ifdef JITTER
   ivec2 entry = (ivec2(gl_FragCoord.xy) + firstPixel) % textureSize(jitterTable, 0);
   float jitter = paperJitter * texelFetch(jitterTable, entry, 0).r;
+#else
+  float jitter = 0.0;
+#endif
   state.rays = 1.0;
   Kept kept = keptOf(ray.origin, ray.direction, ray.span);
   PaperMarch march = paperBegin(ray, start, along, kept, state);

@@ -50,6 +50,14 @@ struct LitScene : MediumInput
     EXPECT_EQ(this->Scene.Lights.size(), 1u);
     return this->Scene.Lights.at(0);
   }
+
+  /// Wherever it shines.
+  vtkMediumScene::Light Read(vtkLight* source)
+  {
+    vtkMediumScene::Light light;
+    EXPECT_EQ(this->Scene.ReadLight(this->Renderer, source, light), "");
+    return light;
+  }
 };
 
 void ExpectNear(const glm::dvec3& found, const glm::dvec3& expected)
@@ -121,6 +129,36 @@ TEST(SceneLights, SpotHasAConeAnExponentAndAnAxis)
   EXPECT_EQ(scene.Only().Type, vtkMediumScene::Light::Spot);
 }
 
+// The volume's corners are half a local unit from its centre: from two units away they are within asin(1/4),
+// 14.5 degrees.
+TEST(SceneLights, SpotsWhoseConeMissesTheVolumeAreLeftOut)
+{
+  LitScene scene;
+  const glm::dvec3 place = Centre + glm::dvec3(0, 0, 2 * Length);
+  vtkLight* light = scene.Add(place, Centre);
+  light->PositionalOn();
+  light->SetConeAngle(5);
+  const auto countAt = [&](double degrees) {
+    const double angle = degrees * std::acos(-1.0) / 180;
+    const glm::dvec3 focus = place + glm::dvec3(std::sin(angle), 0, -std::cos(angle));
+    light->SetFocalPoint(focus.x, focus.y, focus.z);
+    EXPECT_EQ(scene.Scene.GatherLights(scene.Renderer), "");
+    return scene.Scene.Lights.size();
+  };
+  for (double degrees : { 0.0, 10.0, 19.3, -19.3 })
+  {
+    EXPECT_EQ(countAt(degrees), 1u) << degrees;
+  }
+  for (double degrees : { 19.6, -19.6, 90.0, 180.0 })
+  {
+    EXPECT_EQ(countAt(degrees), 0u) << degrees;
+  }
+  light->SetPosition(Centre.x, Centre.y, Centre.z); // from inside, every cone meets it
+  light->SetFocalPoint(Centre.x + 1, Centre.y, Centre.z);
+  EXPECT_EQ(scene.Scene.GatherLights(scene.Renderer), "");
+  EXPECT_EQ(scene.Scene.Lights.size(), 1u);
+}
+
 TEST(SceneLights, TransformMatrixMovesPositionAndFocalPoint)
 {
   LitScene scene;
@@ -132,7 +170,7 @@ TEST(SceneLights, TransformMatrixMovesPositionAndFocalPoint)
   transform->RotateZ(90);
   transform->Scale(3, 1, 1);
   light->SetTransformMatrix(transform->GetMatrix());
-  const auto& found = scene.Only();
+  const vtkMediumScene::Light found = scene.Read(light);
   ExpectNear(found.Position, ToLocal({ 10, 23, 30 }));
   ExpectNear(found.Direction, { 0, -1, 0 });
 }
@@ -188,14 +226,14 @@ TEST(SceneLights, MatchWhereVTKPutsThemWhenItRenders)
     light->SetLightType(type);
     light->PositionalOn();
     light->SetConeAngle(40);
-    const vtkMediumScene::Light before = scene.Only();
+    const vtkMediumScene::Light before = scene.Read(light);
     scene.Renderer->UpdateLightsGeometryToFollowCamera();
     glm::dvec3 position, focus;
     light->GetTransformedPosition(&position[0]);
     light->GetTransformedFocalPoint(&focus[0]);
     ExpectNear(before.Position, ToLocal(position));
     ExpectNear(before.Direction, glm::normalize(focus - position));
-    ExpectNear(scene.Only().Position, before.Position);
+    ExpectNear(scene.Read(light).Position, before.Position);
   }
 }
 
