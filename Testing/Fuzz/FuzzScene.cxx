@@ -116,7 +116,7 @@ void CheckPlan(const vtkMediumPlan& plan, const vtkMediumScene& scene,
   }
   Demand(!plan.ShaderFiles.empty() && !plan.ShaderDefines.empty(), "a plan has a program");
   Demand(plan.CachedLights <= static_cast<int>(scene.Lights.size()), "caches are of lights");
-  if (settings.Integrator == vtkSingleScatteringVolumeMapper::Exact)
+  if (settings.Integrator == vtkSingleScatteringVolumeMapper::Exact && !plan.ClosedForm)
   {
     Demand(plan.IterationBudget > 0 && plan.IterationBudget < device.LoopIterations,
       "Exact keeps to the device's iterations");
