@@ -12,8 +12,8 @@
  * Lengths are world units. The phase function integrates to 1 over the sphere. An image is linear
  * radiance, premultiplied, without any tone mapping: a light's colour times its intensity is the
  * irradiance on a plane normal to the beam (a positional light: divided by a + b r + c r^2, its
- * AttenuationValues), so an isotropic medium of albedo 1 shows about 1/(4 pi) of it; raise the
- * lights' intensity to taste.
+ * AttenuationValues), so an isotropic medium of albedo 1 shows about 1/(4 pi) of it: raise intensities
+ * to taste. The ambient and specular colours of lights and the renderer's ambient light are ignored.
  *
  * Without a medium, the volume's vtkVolumeProperty is the medium: the scalar opacity function and
  * ScalarOpacityUnitDistance give the extinction, sigma_t = -ln(1 - alpha) / unit distance (alpha is
@@ -64,7 +64,7 @@
  * | --- | --- | --- |
  * | Paper | the algorithm of Han, Ki and Oh (GPU Ray Marching for Real-Time Rendering of Participating Media): a homogeneous medium fills the voxels at or above a threshold; linear then binary search finds its surface; left Riemann sums | 1 |
  * | FixedStep | any medium; nested midpoint marching with a closed form in each segment | 2 |
- * | ErrorControlled | any medium; the longest step that keeps MaximumError, found from probe pixels; bricks and light caches | 2 |
+ * | ErrorControlled | any medium; the longest step that keeps MaximumError, found from probe pixels; bricks and light caches; closed forms of homogeneous boxes | 2 |
  * | Exact | any medium; cell by cell on eye and light rays, refined to 1e-4 of the peak; slow | – |
  *
  * @sa vtkParticipatingMedium vtkSingleScatteringReference vtkMediumStatistics
