@@ -28,6 +28,10 @@ namespace
 const char* const NoImage =
   "There is no complete image; render a frame first, with depth peeling of volumes "
   "switched off (UseDepthPeelingForVolumesOff).";
+const char* const PeelingOfOtherThings =
+  "Depth peeling of volumes mixes radiance with geometry in the window, and nothing else; set "
+  "SetOutputToRadiance, SetBlendModeToComposite and RenderToImageOff, or switch it off for volumes "
+  "(UseDepthPeelingForVolumesOff).";
 
 //------------------------------------------------------------------------------
 const char* NameOfBlendMode(vtkVolumeMapper& mapper)
@@ -144,11 +148,7 @@ std::string vtkSingleScatteringVolumeMapper::Draw(vtkRenderer* renderer, vtkVolu
   request.Peeling = vtkMediumPeel::FindCaller(this, volume);
   if (request.Peeling && (!request.Show || request.Settings.Output != Radiance))
   {
-    return "Depth peeling of volumes mixes radiance with geometry in the window, and nothing else; "
-           "set "
-           "SetOutputToRadiance, SetBlendModeToComposite and RenderToImageOff, or switch it off "
-           "for volumes "
-           "(UseDepthPeelingForVolumesOff).";
+    return PeelingOfOtherThings;
   }
   const std::string problem = this->Drawing->Draw(request, this->Statistics);
   if (problem.empty() && this->Drawing->GetNonFinite() > 0)
