@@ -11,7 +11,7 @@
 
 namespace
 {
-constexpr double CoarsestStep = 8;      // voxels
+constexpr double CoarsestStep = 16;     // voxels
 constexpr double FinestStep = 1.0 / 16; // voxels
 // The same for a lattice of few voxels, in diagonals of the box: several steps differ from one, and a
 // dense medium is resolved however large its voxels are.
