@@ -334,6 +334,11 @@ std::string CheckUnits(vtkParticipatingMedium* medium)
     problem << "The medium's LengthUnit is " << unit
             << "; set the length, in world units, of the unit of the coefficients: finite and > 0.";
   }
+  else if (!std::isfinite(density / unit))
+  {
+    problem << "The medium's DensityScale is " << density << " and its LengthUnit " << unit
+            << ", whose quotient is more than a number can say; set a longer unit (SetLengthUnit).";
+  }
   return problem.str();
 }
 

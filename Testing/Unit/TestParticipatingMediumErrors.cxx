@@ -117,6 +117,12 @@ const BadMedium BadMedia[] = {
   { "NaNDensityScale", [](I& i) { i.Medium->SetDensityScale(NotANumber); },
     { "DensityScale", "nan" } },
   { "ZeroLengthUnit", [](I& i) { i.Medium->SetLengthUnit(0); }, { "LengthUnit", "0" } },
+  { "TinyLengthUnit",
+    [](I& i) {
+      i.Medium->SetDensityScale(1e100);
+      i.Medium->SetLengthUnit(1e-250);
+    },
+    { "LengthUnit", "1e-250", "1e+100" } },
   { "BackAnisotropyOutOfRange",
     [](I& i) {
       i.Medium->SetPhaseFunctionToDoubleHenyeyGreenstein();
