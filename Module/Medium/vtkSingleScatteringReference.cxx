@@ -204,6 +204,15 @@ void vtkSingleScatteringReference::OpticalDepth(const double a[3], const double 
   const vtkMediumScene::Box& box = this->Scene->Facts.Geometry;
   const glm::dvec3 way = (glm::make_vec3(b) - glm::make_vec3(a)) / box.Length;
   const double length = glm::length(way);
+  if (!std::isfinite(length))
+  {
+    vtkErrorMacro(
+      << "The points (" << a[0] << ", " << a[1] << ", " << a[2] << ") and (" << b[0] << ", " << b[1]
+      << ", " << b[2]
+      << ") are not finite, or further apart than a number can say; give points near the "
+         "volume.");
+    return;
+  }
   glm::dvec3 depth(0);
   if (length > 0)
   {

@@ -202,6 +202,12 @@ TEST(ReferenceImage, EachCauseIsOneErrorAndTheNextValidCallWorks)
   }
   {
     Errors errors(reference);
+    const double far[3] = { 1e200, 0, 0 };
+    EXPECT_TRUE(std::isnan(reference->OpticalDepth(a, far)));
+    EXPECT_TRUE(errors.IsOne("1e+200"));
+  }
+  {
+    Errors errors(reference);
     vtkNew<vtkImageData> image;
     EXPECT_FALSE(reference->GetColorImage(image));
     EXPECT_TRUE(errors.IsOne("SetImageSize"));
