@@ -27,7 +27,7 @@
  * do; the frame keeps its background and the next valid frame is drawn. A cause that persists is
  * reported once, until it changes or a frame succeeds. Refused are: an input that is not a
  * vtkImageData, has no scalars, has fewer than two points along an axis or a singular matrix; blend
- * modes other than these two; a gradient opacity other than 1 and two-dimensional transfer functions;
+ * modes other than composite and additive; a gradient opacity other than 1 and two-dimensional transfer functions;
  * clipping and cropping planes that are none; outputs that depth peeling cannot mix; a window without OpenGL 3.2;
  * and the parameter values named below.
  *

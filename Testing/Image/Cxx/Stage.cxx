@@ -6,6 +6,7 @@
 
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
+#include "vtkCubeSource.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -112,6 +113,24 @@ vtkSmartPointer<vtkImageData> Stage::Blobs(const glm::ivec3& points)
     const glm::dvec3 fade = 1.0 - 16.0 * x * x * x * x; // 1 in the middle, 0 at a face
     return vtkMediumFixtures::SmoothDensity(x + 0.5, 1) * fade.x * fade.y * fade.z;
   });
+}
+
+//------------------------------------------------------------------------------
+vtkCamera* Stage::LookAtPosts()
+{
+  this->AddVolume(Stage::Blobs(glm::ivec3(32)), Stage::Medium(12, glm::dvec3(1)));
+  this->AddSun({ -2, -2, 2 }, glm::dvec3(1), 16);
+  for (int side : { -1, 1 })
+  {
+    vtkNew<vtkCubeSource> post;
+    post->SetXLength(0.06);
+    post->SetYLength(0.06);
+    post->SetZLength(0.9);
+    post->SetCenter(0.15 * side, -0.4 * side, 0);
+    this->AddActor(post, glm::dvec3(0.5));
+  }
+  this->LookFrom({ 0.6, -3, 0.8 }, 1.4);
+  return this->GetView()->GetActiveCamera();
 }
 
 //------------------------------------------------------------------------------

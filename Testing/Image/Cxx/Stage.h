@@ -11,6 +11,7 @@
 #define Stage_h
 
 #include "vtkActor.h"
+#include "vtkCamera.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
@@ -52,6 +53,10 @@ public:
 
   /// The newest view's camera looks from that direction at all that was added, z up.
   void LookFrom(const glm::dvec3& direction, double zoom = 1);
+
+  /// Blobs in the sun, a post behind their middle and one before it, for views of two eyes; returns the
+  /// camera that looks at them.
+  vtkCamera* LookAtPosts();
 
   /// A medium of that extinction, per unit of length, times the voxels' density of 0 to 1.
   static vtkSmartPointer<vtkVolumeProperty> Medium(double extinction, const glm::dvec3& albedo);
