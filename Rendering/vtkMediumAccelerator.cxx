@@ -226,6 +226,7 @@ void vtkMediumAccelerator::Activate(vtkShaderProgram* program, const vtkMediumPl
   program->SetUniform3f("lightCacheScale", &scale[0]);
   program->SetUniform3f("lightCacheBias", &bias[0]);
   program->SetUniformi("lightLookUpEvery", plan.LightLookUpEvery);
+  program->SetUniformf("pixelTolerance", static_cast<float>(plan.PixelTolerance));
   program->SetUniformf("lightTolerance", static_cast<float>(plan.LightTolerance));
 }
 

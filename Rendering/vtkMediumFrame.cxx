@@ -65,17 +65,9 @@ std::string vtkMediumFrame::Begin(
 bool vtkMediumFrame::Integrate(const Resources& resources, const vtkMediumScene& scene,
   const vtkMediumPlan& plan, const Progress& progress)
 {
-  this->Complete = false;
   const glm::ivec2 rays = this->View.GetRays();
   vtkOpenGLState* state = this->Window->GetState();
-  vtkShaderProgram* program =
-    resources.Programs.Use(this->Window, plan.ShaderFiles, plan.ShaderDefines, plan.UserCode.get());
-  if (!program)
-  {
-    return false;
-  }
   const vtkMediumDrawState plain(state, rays);
-
   this->Draws = 0;
   state->PushFramebufferBindings();
   for (int set = 0; set < this->UsedSets; ++set)
@@ -88,25 +80,49 @@ bool vtkMediumFrame::Integrate(const Resources& resources, const vtkMediumScene&
     resources.Accelerator.ProjectTiles(scene, rays);
     seen = resources.Accelerator.GetScissor();
   }
+  bool compiled = true;
   this->Complete = true;
   if (seen.z > 0 && seen.w > 0)
   {
     state->vtkglEnable(GL_SCISSOR_TEST);
     state->vtkglScissor(seen.x, seen.y, seen.z, seen.w);
-    resources.Textures.Activate(program, plan);
-    resources.Accelerator.Activate(program, plan);
-    resources.ShadowMap.Activate(program, plan);
-    this->Ends->Activate();
-    program->SetUniformi("opaqueDepth", this->Ends->GetTextureUnit());
-    this->SetFrameUniforms(program, scene, plan);
-    this->SetContentUniforms(program, scene, plan);
-    this->Complete = this->DrawPasses(resources.Programs, program, plan, progress);
-    this->Ends->Deactivate();
-    resources.ShadowMap.Deactivate();
-    resources.Accelerator.Deactivate();
-    resources.Textures.Deactivate();
+    const double parts = plan.Rough ? 2 : 1;
+    double done = 0;
+    auto share = [&](double fraction) { return progress((done + fraction) / parts); };
+    for (const vtkMediumPlan* part = &plan; part && compiled && this->Complete;
+         part = part->Rough.get(), ++done)
+    {
+      compiled = this->DrawPlan(resources, scene, *part, progress ? share : Progress());
+    }
   }
+  this->Complete = this->Complete && compiled;
   state->PopFramebufferBindings();
+  return compiled;
+}
+
+//------------------------------------------------------------------------------
+// False where its program does not compile.
+bool vtkMediumFrame::DrawPlan(const Resources& resources, const vtkMediumScene& scene,
+  const vtkMediumPlan& plan, const Progress& progress)
+{
+  vtkShaderProgram* program =
+    resources.Programs.Use(this->Window, plan.ShaderFiles, plan.ShaderDefines, plan.UserCode.get());
+  if (!program)
+  {
+    return false;
+  }
+  resources.Textures.Activate(program, plan);
+  resources.Accelerator.Activate(program, plan);
+  resources.ShadowMap.Activate(program, plan);
+  this->Ends->Activate();
+  program->SetUniformi("opaqueDepth", this->Ends->GetTextureUnit());
+  this->SetFrameUniforms(program, scene, plan);
+  this->SetContentUniforms(program, scene, plan);
+  this->Complete = this->DrawPasses(resources.Programs, program, plan, progress);
+  this->Ends->Deactivate();
+  resources.ShadowMap.Deactivate();
+  resources.Accelerator.Deactivate();
+  resources.Textures.Deactivate();
   return true;
 }
 

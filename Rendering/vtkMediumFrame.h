@@ -135,6 +135,8 @@ private:
     vtkShaderProgram* program, const vtkMediumScene& scene, const vtkMediumPlan& plan);
   void SetContentUniforms(
     vtkShaderProgram* program, const vtkMediumScene& scene, const vtkMediumPlan& plan);
+  bool DrawPlan(const Resources& resources, const vtkMediumScene& scene, const vtkMediumPlan& plan,
+    const Progress& progress);
   bool DrawPasses(vtkMediumProgram& programs, vtkShaderProgram* program, const vtkMediumPlan& plan,
     const Progress& progress);
   bool IsOver();

@@ -54,6 +54,8 @@ void vtkMediumFrame::SetFrameUniforms(
   SetUniform(program, "localToBoxOrigin", box.LocalToBoxOrigin);
   SetUniform(program, "worldLength", box.Length);
   SetUniform(program, "eyeStep", plan.EyeStep);
+  SetUniform(program, "eyeStretch", plan.EyeStretch);
+  SetUniform(program, "longestStretch", vtkMediumPlan::LongestStretch);
   SetUniform(program, "lightStep", plan.LightStep);
   SetUniform(program, "transmittanceThreshold", plan.TransmittanceThreshold);
   SetUniform(program, "depthTransmittance", plan.DepthTransmittance);

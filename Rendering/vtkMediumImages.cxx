@@ -166,14 +166,16 @@ std::vector<float> vtkMediumImages::WindowDepths(
 }
 
 //------------------------------------------------------------------------------
-void vtkMediumImages::Count(const std::vector<float>& hits, vtkTypeInt64& taps, vtkTypeInt64& rays)
+vtkMediumImages::Counts vtkMediumImages::Count(const std::vector<float>& hits)
 {
-  taps = rays = 0;
+  Counts counts;
   for (std::size_t i = 0; i < hits.size(); i += 4)
   {
-    taps += static_cast<vtkTypeInt64>(hits[i + 2]);
-    rays += static_cast<vtkTypeInt64>(hits[i + 3]);
+    counts.Taps += static_cast<vtkTypeInt64>(hits[i + 2]);
+    counts.Rays += hits[i + 3] >= 1 ? 1 : 0;
+    counts.Refined += hits[i + 3] >= 2 ? 1 : 0;
   }
+  return counts;
 }
 
 //------------------------------------------------------------------------------

@@ -42,8 +42,14 @@ public:
   static std::vector<float> WindowDepths(
     const std::vector<float>& hits, const vtkMediumScene::View& eye, const glm::ivec2& size);
 
-  /// Sums the look-ups and rays that the pixels counted.
-  static void Count(const std::vector<float>& hits, vtkTypeInt64& taps, vtkTypeInt64& rays);
+  /// What the pixels counted, summed.
+  struct Counts
+  {
+    vtkTypeInt64 Taps = 0;
+    vtkTypeInt64 Rays = 0;    ///< that met the volume
+    vtkTypeInt64 Refined = 0; ///< of those, integrated twice
+  };
+  static Counts Count(const std::vector<float>& hits);
 
   /// Copies pixels into a float image of the given size, origin 0 and spacing 1.
   static void Copy(

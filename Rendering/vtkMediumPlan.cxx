@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <limits>
 #include <sstream>
 
@@ -85,6 +84,12 @@ vtkMediumPlan::vtkMediumPlan(
     this->SplitIntoPasses(scene, settings, device);
   }
   this->ChooseProgram(scene, settings, device);
+  if (this->CacheRoughness && !this->OnlyRough)
+  {
+    Settings rough = settings;
+    rough.OnlyRough = true;
+    this->Rough = std::make_shared<const vtkMediumPlan>(scene, rough, device);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -156,7 +161,7 @@ void vtkMediumPlan::ChooseSteps(const vtkMediumScene& scene, const Settings& set
 // Of the loops of one light ray, at most.
 int vtkMediumPlan::CountLightIterations(bool paper) const
 {
-  if (this->CachedLights > 0 && !this->CacheRoughness)
+  if (this->CachedLights > 0 && !this->OnlyRough)
   {
     return 1; // a look-up, without a loop
   }
@@ -167,8 +172,7 @@ int vtkMediumPlan::CountLightIterations(bool paper) const
   const int steps = paper ? 1 : LightTapsPerIteration; // an iteration
   const int iterations = static_cast<int>(std::ceil(1 / (this->LightStep * steps)));
   // A loop from look-up to look-up inside of another.
-  return 4 + iterations +
-    (this->CacheRoughness ? 4 * (iterations / this->LightLookUpEvery + 1) : 0);
+  return 4 + iterations + (this->OnlyRough ? 4 * (iterations / this->LightLookUpEvery + 1) : 0);
 }
 
 //------------------------------------------------------------------------------
@@ -202,171 +206,15 @@ void vtkMediumPlan::SplitIntoPasses(
 }
 
 //------------------------------------------------------------------------------
-std::string vtkMediumPlan::OutputDefines(const Settings& settings) const
-{
-  const bool depth = settings.Output == Mapper::Depth;
-  const bool firstHit = settings.Output == Mapper::FirstHit ||
-    (depth && settings.DepthDefinition == Mapper::FirstHitDepth);
-  std::string text = std::string("#define FIRST_HIT_ONLY ") + (firstHit ? "true\n" : "false\n");
-  if (settings.CountTaps || settings.Output == Mapper::SampleCount)
-  {
-    text += "#define COUNT_TAPS\n";
-  }
-  if (settings.Output == Mapper::Transmittance)
-  {
-    text += "#define OUTPUT_TRANSMITTANCE\n";
-  }
-  if (settings.Output == Mapper::OpticalDepth)
-  {
-    text += "#define OUTPUT_OPTICAL_DEPTH\n";
-  }
-  if (depth && settings.DepthDefinition == Mapper::MeanScatteringDepth)
-  {
-    text += "#define OUTPUT_MEAN_DEPTH\n";
-  }
-  if (depth && settings.DepthDefinition == Mapper::TransmittanceDepth)
-  {
-    text += "#define OUTPUT_TRANSMITTANCE_DEPTH\n";
-  }
-  return text;
-}
-
-//------------------------------------------------------------------------------
-void vtkMediumPlan::ChooseProgram(
-  const vtkMediumScene& scene, const Settings& settings, const Capabilities& device)
-{
-  const bool paper = settings.Integrator == Mapper::Paper;
-  const bool exact = settings.Integrator == Mapper::Exact;
-  this->ReadsFunctions = !paper && !scene.Content.Functions.empty();
-  std::ostringstream defines;
-  defines << (this->Lit ? "#define LIT\n" : "");
-  defines << (this->OpaqueShadows ? "#define OPAQUE_SHADOWS\n" : "");
-  defines << (this->NeedsState() ? "#define CARRY_STATE\n" : "");
-  defines << this->OutputDefines(settings);
-  defines << "#define FIELD_COUNT " << this->Fields.size() << "\n";
-  if (paper)
-  {
-    defines << this->PaperDefines(settings);
-  }
-  else
-  {
-    defines << vtkMediumStructure::ContentDefines(scene.Content);
-    defines << "#define LIGHT_TAPS " << LightTapsPerIteration << "\n";
-  }
-  if (this->UseTiles)
-  {
-    defines << "#define TILES " << TileEdge << "\n";
-  }
-  if (this->CachedLights > 0)
-  {
-    defines << "#define LIGHT_CACHE_TEXTURES " << this->GetCacheTextures() << "\n";
-    defines << "#define LIGHTS_PER_CACHE_TEXTURE " << this->GetLightsPerTexture() << "\n";
-    defines << (this->CacheRoughness ? "#define LIGHT_CACHE_ROUGHNESS\n" : "");
-  }
-  if (exact && !this->ClosedForm)
-  {
-    const std::string functions = vtkMediumStructure::ExactDefines(scene.Content);
-    this->ReadsFunctionIntegrals = !functions.empty();
-    defines << functions;
-    defines << "#define EXACT_PARTS " << ExactParts << "\n";
-    defines << "#define LATTICE_COUNT " << this->Lattices.size() << "\n";
-    const bool linear = std::any_of(this->Fields.begin(), this->Fields.end(),
-      [](const vtkMediumField& field) { return field.Linear; });
-    defines << (device.CoarseFilter && linear ? "#define COARSE_FILTER\n" : "");
-  }
-  defines << vtkMediumStructure::CutDefines(scene.Cut);
-  defines << vtkMediumStructure::LightDefines(scene.Lights);
-  defines << vtkMediumStructure::PhaseDefines(scene.Content, paper);
-  this->ShaderDefines = defines.str();
-  this->ChooseShaderFiles(scene, settings.Integrator);
-}
-
-//------------------------------------------------------------------------------
-void vtkMediumPlan::ChooseShaderFiles(const vtkMediumScene& scene, int integrator)
-{
-  std::vector<std::string>& files = this->ShaderFiles;
-  auto add = [&files](std::initializer_list<const char*> names) {
-    files.insert(files.end(), names.begin(), names.end());
-  };
-  add({ "Phase", "RayBox", "Segment", "Transmittance", "Frame" });
-  if (!scene.Cut.Planes.empty())
-  {
-    add({ "ClippingPlanes" });
-  }
-  add({ scene.Cut.CutsRegions() ? "KeptRegions" : "KeptInterval", "EyeRay", "Fields" });
-  if (this->Lit)
-  {
-    add({ "PhaseLobes", "Light" });
-    if (this->OpaqueShadows)
-    {
-      add({ "ShadowMap" });
-    }
-    add({ "Lights" });
-  }
-  if (this->ClosedForm)
-  {
-    add({ "Content", "Output", "ClosedForm" });
-  }
-  else
-  {
-    this->ChooseIntegratorFiles(integrator);
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkMediumPlan::ChooseIntegratorFiles(int integrator)
-{
-  std::vector<std::string>& files = this->ShaderFiles;
-  auto add = [&files](std::initializer_list<const char*> names) {
-    files.insert(files.end(), names.begin(), names.end());
-  };
-  switch (integrator)
-  {
-    case Mapper::Paper:
-      add({ "PaperSearch", "Paper" });
-      break;
-    case Mapper::Exact:
-      add({ "Content", "CellWalk", "ExactDepth", "InScatter", "Output", "Exact" });
-      break;
-    default:
-      add({ "Content" });
-      if (this->UseTiles)
-      {
-        add({ "EmptyBricks" });
-      }
-      if (this->Lit)
-      {
-        this->ChooseLightFiles();
-      }
-      add({ "InScatter", "Output", "FixedStep" });
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkMediumPlan::ChooseLightFiles()
-{
-  std::vector<std::string>& files = this->ShaderFiles;
-  const bool marches = this->CachedLights == 0 || this->CacheRoughness;
-  if (marches)
-  {
-    files.push_back("LightSteps");
-  }
-  if (this->CachedLights > 0)
-  {
-    files.push_back("LightCache");
-  }
-  if (marches)
-  {
-    files.push_back(this->CacheRoughness ? "LightMarchToCache" : "LightRay");
-  }
-}
-
-//------------------------------------------------------------------------------
 vtkMediumPlan vtkMediumPlan::Coarser() const
 {
   vtkMediumPlan plan = *this; // its passes reach beyond the fewer steps
   plan.EyeStep *= 2;
   plan.LightStep *= 2;
+  if (this->Rough)
+  {
+    plan.Rough = std::make_shared<const vtkMediumPlan>(this->Rough->Coarser());
+  }
   return plan;
 }
 

@@ -27,7 +27,8 @@ public:
   {
     March,           ///< along the whole light ray
     LookUp,          ///< in the light's cache
-    MarchThenLookUp, ///< along the light ray until the cache is accurate enough
+    MarchThenLookUp, ///< in pixels whose look-ups may err by too much, along the light ray until the
+                     ///< cache is accurate enough
   };
 
   /// What the user asked for; the mapper's members, with its enumerations.
@@ -48,6 +49,9 @@ public:
     double MaximumError = 1.0 / 255;
     LightMethods LightMethod = LookUp; ///< ErrorControlled
     double LightTolerance = 0; ///< MarchThenLookUp: radiance a local unit that look-ups may err by
+    double PixelTolerance = 0; ///< MarchThenLookUp: radiance that those of a pixel may err by
+    bool OnlyRough = false;    ///< MarchThenLookUp: only the pixels whose look-ups may err by more
+    bool StretchSteps = true;  ///< ErrorControlled: eye steps grow where little is seen of them
     bool Hurried = false; ///< ErrorControlled: light caches are built quickly rather than exactly
     double ControlledLightStep = 0; ///< ErrorControlled: of marched light rays; 0: the eye's
     double ControlledStep =
@@ -104,6 +108,10 @@ public:
   static constexpr int TileEdge = 8;
   /// Voxels; longer steps of eye rays do not ask for empty bricks, which costs as much as a step.
   static constexpr double LongestLeaptStep = 2;
+  /// What is seen of a segment's error falls with the transmittance T before it, and that error grows with
+  /// the cube of its length: with segments of T^(-1/3) all do the same harm.
+  static constexpr double ErrorStretch = 1.0 / 3;
+  static constexpr double LongestStretch = 8; ///< of a step
   /// Exact: what a part of a cell may be off by, of the radiance so far.
   static constexpr double ExactTolerance = 4e-6;
   /// Exact: parts of a cell in which a field counts as linear where a function maps it.
@@ -128,19 +136,24 @@ public:
   int CachedLights = 0; ///< the first so many lights have a light cache; 0: light rays are marched
   bool QuickCaches = false; ///< light caches are built quickly rather than exactly
   bool CutCaches = false; ///< light caches are those of what a cut leaves, not of the whole volume
-  bool CacheRoughness = false; ///< light rays are marched until their cache is accurate enough
-  double LightTolerance =
-    0;                      ///< with CacheRoughness: radiance a local unit that look-ups may err by
-  int LightLookUpEvery = 1; ///< with CacheRoughness: iterations from look-up to look-up
-  bool ClosedForm = false;  ///< no ray is marched: a homogeneous box has a closed form
+  bool CacheRoughness = false; ///< caches say by how much look-ups may err
+  double PixelTolerance = 0;   ///< with CacheRoughness: radiance that those of a pixel may err by
+  /// With CacheRoughness: what integrates the pixels whose look-ups may err by more; drawn over this plan.
+  std::shared_ptr<const vtkMediumPlan> Rough;
+  bool OnlyRough = false;    ///< this is such a plan: light is marched until its cache is accurate
+  double LightTolerance = 0; ///< with OnlyRough: radiance a local unit that look-ups may err by
+  int LightLookUpEvery = 1;  ///< with OnlyRough: iterations from look-up to look-up
+  bool ClosedForm = false;   ///< no ray is marched: a homogeneous box has a closed form
   bool ConstantExtinction = false; ///< the optical depth of a light ray is its length
   bool OpaqueShadows = false;      ///< opaque geometry stands in the light
   int OpaqueShadowResolution = 0;
   bool ReadsFunctions = false;         ///< the tables of the scene's functions are needed
   bool ReadsFunctionIntegrals = false; ///< Exact: and those of their integrals
   bool ReadsJitter = false;            ///< Paper: the table of random numbers is needed
-  bool Lit = false;     ///< light rays are marched: there is light, and something scatters it
-  double EyeStep = 0;   ///< local units
+  bool Lit = false;   ///< light rays are marched: there is light, and something scatters it
+  double EyeStep = 0; ///< local units
+  double EyeStretch =
+    0; ///< eye steps grow with the transmittance before them to the power of minus this
   double LightStep = 0; ///< local units
   double TransmittanceThreshold = 0;
   double DepthTransmittance = 0;
@@ -170,7 +183,10 @@ public:
   }
 
   /// Whether marches are carried from draw to draw.
-  bool NeedsState() const { return this->Passes.size() > 1 || this->IterationBudget > 0; }
+  bool NeedsState() const
+  {
+    return this->Passes.size() > 1 || this->IterationBudget > 0 || this->CacheRoughness;
+  }
 
   /// Where the volume can be seen: x, y, width, height in pixels; zero size where it cannot.
   static glm::ivec4 FindScissor(const vtkMediumScene::View& eye, const vtkMediumScene::Box& box,

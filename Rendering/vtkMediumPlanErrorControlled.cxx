@@ -3,6 +3,8 @@
 // What ErrorControlled asks of a scene: bricks, steps that were found, and light caches where they serve.
 #include "vtkMediumPlan.h"
 
+#include "vtkSingleScatteringVolumeMapper.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,6 +16,10 @@ void vtkMediumPlan::PlanErrorControlled(const vtkMediumScene& scene, const Setti
   const double voxel = scene.Geometry.VoxelLength / scene.Geometry.Length;
   this->EyeStep =
     std::max(settings.ControlledStep > 0 ? settings.ControlledStep : voxel, ShortestStep);
+  // Optical depths and the last point of the medium are not seen through what is before them.
+  const bool seenThrough = settings.Output != vtkSingleScatteringVolumeMapper::OpticalDepth &&
+    settings.Output != vtkSingleScatteringVolumeMapper::Distance;
+  this->EyeStretch = settings.StretchSteps && seenThrough ? ErrorStretch : 0;
   this->LeapEyeSteps = this->EyeStep <= LongestLeaptStep * voxel;
   this->LightStep = settings.ControlledLightStep > 0
     ? std::max(settings.ControlledLightStep, ShortestStep)
@@ -39,6 +45,8 @@ void vtkMediumPlan::PlanErrorControlled(const vtkMediumScene& scene, const Setti
     this->CachedLights = lights;
     this->QuickCaches = settings.Hurried;
     this->CacheRoughness = rough;
+    this->OnlyRough = rough && settings.OnlyRough;
+    this->PixelTolerance = settings.PixelTolerance;
     this->CutCaches = CutsLightRays(scene);
     this->LightTolerance = settings.LightTolerance;
     const double every = LookUpSpacing * voxel / (LightTapsPerIteration * this->LightStep);

@@ -118,8 +118,10 @@ std::string vtkMediumRenderer::Prepare(const Request& request,
   };
   auto useFound = [&]() {
     settings.ControlledStep = this->StepControl.GetStep();
+    settings.ControlledLightStep = this->StepControl.GetLightStep();
     settings.LightMethod = this->StepControl.GetLight().Method;
     settings.LightTolerance = this->StepControl.GetLight().Tolerance;
+    settings.PixelTolerance = this->StepControl.GetLight().PixelTolerance;
     return build();
   };
   if (this->Economy.Hurried)
@@ -328,11 +330,12 @@ void vtkMediumRenderer::CountWork(const vtkMediumPlan& plan, vtkMediumStatistics
   statistics->BricksVisited = plan.UseBricks
     ? static_cast<vtkTypeInt64>(count.x) * count.y * count.z - statistics->BricksLeapt
     : 0;
-  statistics->Taps = statistics->Rays = 0;
-  if (statistics->CountTaps && !this->Reused)
-  {
-    vtkMediumImages::Count(this->Frame.DownloadHits(), statistics->Taps, statistics->Rays);
-  }
+  const vtkMediumImages::Counts counts = statistics->CountTaps && !this->Reused
+    ? vtkMediumImages::Count(this->Frame.DownloadHits())
+    : vtkMediumImages::Counts();
+  statistics->Taps = counts.Taps;
+  statistics->Rays = counts.Rays;
+  statistics->RaysRefined = counts.Refined;
 }
 
 //------------------------------------------------------------------------------

@@ -56,19 +56,22 @@ std::string vtkMediumRenderer::FindStep(const Request& request,
   auto integrate = [&](const glm::ivec2& size, const vtkMediumStepControl::Light& light) {
     settings.LightMethod = light.Method;
     settings.LightTolerance = light.Tolerance;
+    settings.PixelTolerance = light.PixelTolerance;
     return this->IntegrateProbes(size, settings, device, refusal);
   };
   vtkMediumStepControl::Probes probes;
   probes.Caches = caches;
   probes.InSteps = [&](const vtkMediumStepControl::Light& light, double step) {
+    settings.StretchSteps = true;
     settings.ControlledStep = step;
     settings.ControlledLightStep = 0;
     return integrate(pixels, light);
   };
-  probes.InLight = [&](const vtkMediumStepControl::Light& light) {
+  probes.InLight = [&](const vtkMediumStepControl::Light& light, double lightStep) {
     const double length = std::min(voxel, LargestProbeStep);
+    settings.StretchSteps = false; // programs that march light group the steps otherwise
     settings.ControlledStep = CacheProbeStep * length;
-    settings.ControlledLightStep = CacheProbeLightStep * length;
+    settings.ControlledLightStep = lightStep > 0 ? lightStep : CacheProbeLightStep * length;
     return integrate(glm::ivec2(CacheProbes), light);
   };
   this->StepControl.Calibrate(this->Scene, request.MaximumError, voxel, probes);

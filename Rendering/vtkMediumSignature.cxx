@@ -190,6 +190,7 @@ vtkMediumSignature vtkMediumSignature::OfFrame(
       settings.TransmittanceThreshold, settings.PaperThreshold, double(settings.AssumeConvex),
       double(settings.CountTaps), double(settings.DepthDefinition), settings.DepthTransmittance,
       settings.MaximumError, double(settings.LightMethod), settings.LightTolerance,
+      settings.PixelTolerance, double(settings.OnlyRough), double(settings.StretchSteps),
       double(settings.Hurried), settings.ControlledLightStep, settings.ControlledStep,
       double(settings.LightCacheBytes), double(settings.OpaqueShadowResolution) })
   {

@@ -25,6 +25,7 @@ void vtkMediumStatistics::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CountTaps: " << (this->CountTaps ? "On" : "Off") << "\n";
   os << indent << "Taps: " << this->Taps << "\n";
   os << indent << "Rays: " << this->Rays << "\n";
+  os << indent << "RaysRefined: " << this->RaysRefined << "\n";
   os << indent << "GatherMilliseconds: " << this->GatherMilliseconds << "\n";
   os << indent << "UploadMilliseconds: " << this->UploadMilliseconds << "\n";
   os << indent << "BuildMilliseconds: " << this->BuildMilliseconds << "\n";

@@ -35,6 +35,9 @@ public:
   vtkGetMacro(Taps, vtkTypeInt64);
   /// Of the last frame: eye rays that met the volume; 0 unless CountTaps.
   vtkGetMacro(Rays, vtkTypeInt64);
+  /// Of the last frame: those of them that were integrated a second time, with light rays marched, since
+  /// what their look-ups in light caches may err by added up to more than MaximumError; 0 unless CountTaps.
+  vtkGetMacro(RaysRefined, vtkTypeInt64);
   /// Of the last frame: full-screen draws over which its marches were split.
   vtkGetMacro(Passes, vtkTypeInt64);
   ///@}
@@ -51,7 +54,8 @@ public:
   {
     LightMarched,           ///< along the whole light ray, or not at all
     LightLookedUp,          ///< in the light's cache
-    LightMarchedToItsCache, ///< along the light ray until the cache was accurate enough
+    LightMarchedToItsCache, ///< in the light's cache, and where that is not accurate enough for a pixel,
+                            ///< along the light ray until it is
     LightInClosedForm ///< by formula, as all of the frame: a homogeneous box in directional light
   };
   vtkGetMacro(LightMethod, int);
@@ -109,6 +113,7 @@ private:
   bool CountTaps = false;
   vtkTypeInt64 Taps = 0;
   vtkTypeInt64 Rays = 0;
+  vtkTypeInt64 RaysRefined = 0;
   vtkTypeInt64 Passes = 0;
   int LightMethod = LightMarched;
   double PixelEdge = 1;

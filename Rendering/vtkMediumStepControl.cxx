@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace
 {
@@ -22,15 +23,20 @@ constexpr double StepSafety = 1.5;   // the worst pixel against the worst probe 
 constexpr double CacheSafety = 2;    // the same, of few
 constexpr double SlowestOrder = 1.4; // least ratio of successive changes that is believed
 constexpr double SecondOrder = 4;
-// Of the error, that look-ups may use up: alone, and where light rays are marched to them.
+// Of the error, that look-ups may use up.
 constexpr double CacheShare = 0.75;
-constexpr double MarchedShare = 0.5;
+// Of the error that light leaves to steps, that those of the eye may use up where those of light have
+// their own; the squares of both shares add up to 1.
+constexpr double EyeShare = 0.7;
+// What the look-ups of a pixel were seen to err by, of their bounds' sum: they err to both sides.
+constexpr double PartOfBounds = 0.75;
 // What look-ups may err by along the volume's diagonal: at first, of the error that is asked for, since
 // they err to both sides; from then on as the error that it causes says.
 constexpr double FirstTolerance = 16;
 constexpr double ToleranceOrder = 0.8;
 constexpr double MostOfTolerance = 0.6;
-constexpr int Tolerances = 7;
+constexpr double MostOfError = 0.85; // that a lower tolerance leaves, where it is the tolerance's
+constexpr int Tolerances = 10;
 constexpr std::size_t MostFound = 16;
 
 //------------------------------------------------------------------------------
@@ -42,6 +48,47 @@ double PeakOf(const vtkMediumStepControl::Image& image)
     peak = std::max(peak, i % 4 == 3 ? 0.0 : image[i]); // alpha is no radiance
   }
   return peak;
+}
+
+//------------------------------------------------------------------------------
+struct FoundStep
+{
+  double Step, Error;
+};
+
+// The longest step, from the coarsest on, that keeps the error; about the finest if none does.
+FoundStep FindStep(double safety, double maximumError, double coarsest, double finest,
+  const std::function<vtkMediumStepControl::Image(double step)>& integrate)
+{
+  double step = coarsest;
+  double error = 0;
+  vtkMediumStepControl::Image coarse = integrate(step);
+  double before = -1; // the change of the halving before
+  double ratio = SecondOrder;
+  for (;;)
+  {
+    step *= 0.5;
+    vtkMediumStepControl::Image fine = integrate(step);
+    const double change = vtkMediumStepControl::RelativeDifference(coarse, fine);
+    // Where all rays meet a kink alike, two steps may err by the same and seem not to differ at all: more
+    // than a method of second order gains by a halving is not believed.
+    const double relative = std::max(change, before / SecondOrder);
+    ratio = before > 0 && relative > 0
+      ? std::min(std::max(before / relative, SlowestOrder), SecondOrder)
+      : 2;
+    error = safety * relative / (ratio - 1);
+    if (error <= maximumError || step <= finest)
+    {
+      break;
+    }
+    before = change;
+    coarse.swap(fine);
+  }
+  // Between this step and its double, the error grows with the order that was seen.
+  const double order = std::log2(ratio);
+  const double longer =
+    error > 0 ? std::min(std::max(std::pow(maximumError / error, 1 / order), 1.0), 1.9) : 1.9;
+  return { step * longer, error * std::pow(longer, order) };
 }
 
 //------------------------------------------------------------------------------
@@ -84,8 +131,7 @@ bool vtkMediumStepControl::IsCalibrated(
   {
     return false;
   }
-  this->Step = found->Step;
-  this->Error = found->Error;
+  this->Current = *found;
   return true;
 }
 
@@ -115,13 +161,16 @@ void vtkMediumStepControl::Calibrate(
   this->Caches = probes.Caches;
   ++this->Calibrations;
   const double lit = std::min(this->Lighting.Error, CacheShare * maximumError);
+  const double room = std::sqrt(maximumError * maximumError - lit * lit);
   const bool constant = vtkMediumStructure::HasConstantExtinction(scene.Content);
   // Voxels that are flat beyond measure are not resolved.
   const double edge = std::max(voxel, vtkMediumPlan::ShortestStep / FinestStep);
-  this->FindStep(maximumError - lit, std::min(CoarsestStep * edge, CoarsestPart),
+  this->Current.Eye = scene.Eye.Origin;
+  this->Current.Axis = FindAxis(scene.Eye);
+  this->FindSteps(room, std::min(CoarsestStep * edge, CoarsestPart),
     std::min(FinestStep * edge, constant ? FinestPartIfConstant : FinestPart), probes);
-  this->Error += this->Lighting.Error;
-  this->Found.push_back({ scene.Eye.Origin, FindAxis(scene.Eye), this->Step, this->Error });
+  this->Current.Error = std::hypot(this->Current.Error, this->Lighting.Error);
+  this->Found.push_back(this->Current);
 }
 
 //------------------------------------------------------------------------------
@@ -141,13 +190,13 @@ void vtkMediumStepControl::FindLight(double maximumError, const Probes& probes)
     return;
   }
   auto errorOf = [&](const Light& light) {
-    return CacheSafety * RelativeDifference(probes.InLight(light), this->Marched);
+    return CacheSafety * RelativeDifference(probes.InLight(light, 0), this->Marched);
   };
   Light light;
   light.Method = vtkMediumPlan::LookUp;
   if (this->Marched.empty())
   {
-    this->Marched = probes.InLight(Light());
+    this->Marched = probes.InLight(Light(), 0);
     this->LookUpError = errorOf(light);
   }
   light.Error = this->LookUpError;
@@ -157,52 +206,49 @@ void vtkMediumStepControl::FindLight(double maximumError, const Probes& probes)
     return;
   }
   light.Method = vtkMediumPlan::MarchThenLookUp;
-  light.Tolerance = FirstTolerance * maximumError * PeakOf(this->Marched);
-  const double room = MarchedShare * maximumError;
+  const double peak = PeakOf(this->Marched);
+  light.Tolerance = FirstTolerance * maximumError * peak;
+  light.PixelTolerance = maximumError * peak;
+  const double room = 1.0001 * CacheShare * maximumError;
+  double before = std::numeric_limits<double>::infinity();
   for (int i = 0; i < Tolerances; ++i)
   {
-    light.Error = errorOf(light);
+    const double seen = errorOf(light);
+    // Probes know of the pixels that are integrated anew, bounds of the others.
+    light.Error =
+      std::min(seen, std::max(seen / CacheSafety, PartOfBounds * light.PixelTolerance / peak));
     if (light.Error <= room)
     {
       this->Lighting = light;
       return;
     }
-    light.Tolerance *= std::min(std::pow(room / light.Error, ToleranceOrder), MostOfTolerance);
+    // An error that did not fall is that of pixels that were not integrated anew.
+    const bool others = seen > MostOfError * before;
+    (others ? light.PixelTolerance : light.Tolerance) *=
+      std::min(std::pow(room / light.Error, ToleranceOrder), MostOfTolerance);
+    before = others ? std::numeric_limits<double>::infinity() : seen;
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkMediumStepControl::FindStep(
+void vtkMediumStepControl::FindSteps(
   double maximumError, double coarsest, double finest, const Probes& probes)
 {
-  double step = coarsest;
-  Image coarse = probes.InSteps(this->Lighting, step);
-  double before = -1; // the change of the halving before
-  double ratio = SecondOrder;
-  for (;;)
+  const bool refines = this->Lighting.Method == vtkMediumPlan::MarchThenLookUp;
+  const double share = refines ? EyeShare : 1;
+  Light lookedUp = this->Lighting;
+  lookedUp.PixelTolerance = refines ? std::numeric_limits<float>::max() : 0;
+  const FoundStep eye = FindStep(StepSafety, share * maximumError, coarsest, finest,
+    [&](double step) { return probes.InSteps(lookedUp, step); });
+  this->Current.Step = this->Current.LightStep = eye.Step;
+  this->Current.Error = eye.Error;
+  if (refines)
   {
-    step *= 0.5;
-    Image fine = probes.InSteps(this->Lighting, step);
-    const double change = RelativeDifference(coarse, fine);
-    // Where all rays meet a kink alike, two steps may err by the same and seem not to differ at all: more
-    // than a method of second order gains by a halving is not believed.
-    const double relative = std::max(change, before / SecondOrder);
-    ratio = before > 0 && relative > 0
-      ? std::min(std::max(before / relative, SlowestOrder), SecondOrder)
-      : 2;
-    this->Error = StepSafety * relative / (ratio - 1);
-    if (this->Error <= maximumError || step <= finest)
-    {
-      break;
-    }
-    before = change;
-    coarse.swap(fine);
+    Light marched = this->Lighting;
+    marched.Tolerance = marched.PixelTolerance = 0;
+    const FoundStep light = FindStep(CacheSafety, std::sqrt(1 - share * share) * maximumError,
+      coarsest, finest, [&](double step) { return probes.InLight(marched, step); });
+    this->Current.LightStep = light.Step;
+    this->Current.Error = std::hypot(eye.Error, light.Error);
   }
-  // Between this step and its double, the error grows with the order that was seen.
-  const double order = std::log2(ratio);
-  const double longer = this->Error > 0
-    ? std::min(std::max(std::pow(maximumError / this->Error, 1 / order), 1.0), 1.9)
-    : 1.9;
-  this->Step = step * longer;
-  this->Error *= std::pow(longer, order);
 }

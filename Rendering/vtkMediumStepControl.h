@@ -10,8 +10,12 @@
  * that is held against the error. It is an estimate, never a bound.
  *
  * The error of light caches does not shrink with the step. It is found by marching light rays for a few
- * probes. Where it leaves too little room, light rays are marched until the caches are accurate enough,
- * to a tolerance that is lowered until there is room; where no tolerance does that, to their ends.
+ * probes. Where it leaves too little room, pixels whose look-ups may err by more are integrated anew, with
+ * light rays that are marched until the caches are accurate enough, to a tolerance that is lowered until
+ * there is room; where no tolerance does that, all light rays are marched to their ends. A light ray that is
+ * marched to its cache has a step of its own: where it stops changes with the step, so it is marched to its
+ * end to find that. The errors of steps and caches have nothing to do with each other: their squares are
+ * added.
  *
  * No OpenGL: whoever calls it integrates the probes.
  */
@@ -34,7 +38,8 @@ public:
   {
     vtkMediumPlan::LightMethods Method = vtkMediumPlan::March;
     double Tolerance = 0; ///< radiance per local unit that look-ups may err by; MarchThenLookUp
-    double Error = 0;     ///< what that causes, as a fraction of the probes' peak radiance
+    double PixelTolerance = 0; ///< radiance that those of a pixel may err by; MarchThenLookUp
+    double Error = 0;          ///< what that causes, as a fraction of the probes' peak radiance
   };
 
   /// R, G, B, alpha of each probe pixel.
@@ -53,9 +58,9 @@ public:
   {
     /// Integrates at a step, local units; light rays are marched in the same step.
     std::function<Image(const Light& light, double step)> InSteps;
-    /// Integrates in steps so short that only the way to the light makes a difference; not asked for
-    /// where Caches is Never.
-    std::function<Image(const Light& light)> InLight;
+    /// Integrates fewer pixels in fixed steps of the eye, so that only the way to the light makes a
+    /// difference; light rays are marched at a step, 0: a fixed one. Not asked for where Caches is Never.
+    std::function<Image(const Light& light, double lightStep)> InLight;
     CacheUses Caches = Never;
   };
 
@@ -77,25 +82,27 @@ public:
 
   /// How light is to be found: the cheapest way whose error leaves room for that of the step.
   const Light& GetLight() const { return this->Lighting; }
-  double GetStep() const { return this->Step; }
-  /// The estimated error at that step, of the peak radiance of the probes.
-  double GetEstimatedError() const { return this->Error; }
+  double GetStep() const { return this->Current.Step; }
+  /// Of marched light rays.
+  double GetLightStep() const { return this->Current.LightStep; }
+  /// The estimated error at these steps, of the peak radiance of the probes.
+  double GetEstimatedError() const { return this->Current.Error; }
   /// Calibrations since creation.
   int GetCalibrations() const { return this->Calibrations; }
 
 private:
-  /// A step that was found, and the eye that it was found for.
+  /// Steps that were found, and the eye that they were found for.
   struct Calibration
   {
     glm::dvec3 Eye{ 0 };
     glm::dvec3 Axis{ 0 }; ///< unit; the normal of the image plane, wherever in it the window is
     double Step = 0;
+    double LightStep = 0;
     double Error = 0;
   };
 
   void FindLight(double maximumError, const Probes& probes);
-  /// The longest step, from the coarsest on, that keeps the error; about the finest if none does.
-  void FindStep(double maximumError, double coarsest, double finest, const Probes& probes);
+  void FindSteps(double maximumError, double coarsest, double finest, const Probes& probes);
 
   vtkMediumSignature Signature;
   std::vector<Calibration> Found; ///< of this signature, error and use of caches
@@ -106,8 +113,7 @@ private:
   Image Marched;
   glm::dmat4 MarchedEye{ 0 };
   double LookUpError = 0; ///< of plain look-ups, where Marched is known
-  double Step = 0;
-  double Error = 0;
+  Calibration Current;
   int Calibrations = 0;
 };
 

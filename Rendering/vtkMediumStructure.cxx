@@ -143,6 +143,7 @@ std::string vtkMediumStructure::LightDefines(const std::vector<vtkMediumScene::L
   std::string text;
   text += positional ? "#define POSITIONAL_LIGHTS\n" : "";
   text += spot ? "#define SPOT_LIGHTS\n" : "";
+  text += lights.size() == 1 ? "#define ONE_LIGHT\n" : "";
   return text;
 }
 

@@ -300,6 +300,12 @@ void vtkMediumTextures::Activate(vtkShaderProgram* program, const vtkMediumPlan&
   activate(this->FunctionTable, "functions");
   activate(this->PrimitiveTable, "primitives");
   activate(this->LightTable, "lights");
+  if (this->LightTexels.size() == 4 * TexelsPerLight && program->IsUniformUsed("oneLight"))
+  {
+    float texels[TexelsPerLight][4];
+    std::copy(this->LightTexels.begin(), this->LightTexels.end(), &texels[0][0]);
+    program->SetUniform4fv("oneLight", TexelsPerLight, texels);
+  }
   activate(this->PhaseTable, "phaseTable");
   activate(this->JitterTable, "jitterTable");
 }

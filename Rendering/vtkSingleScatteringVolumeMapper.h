@@ -194,8 +194,8 @@ public:
   ///@{
   /// ErrorControlled: whether light comes from caches, one look-up for a light ray, or from marched light
   /// rays. Caches have an error of their own, on data that change abruptly from voxel to voxel, which no
-  /// step mends. WhereAccurate (default) takes them where MaximumError leaves room for that error, and
-  /// elsewhere marches each light ray until its cache is accurate enough; Always takes them and lets
+  /// step mends. WhereAccurate (default) takes them in pixels where MaximumError leaves room for that error,
+  /// and in others marches each light ray until its cache is accurate enough; Always takes them and lets
   /// GetEstimatedError say what that costs; Never marches.
   /// Caches serve up to 16 lights and media of grey extinction with linear interpolation, and take 2
   /// bytes a voxel for each light, at most 1 GiB; where light rays are marched up to them, 4 bytes and 8

@@ -39,8 +39,8 @@ struct FrameState
   float first;    // t of the first point of the medium, local units; FRAME_NO_HIT: none yet
   float last;     // t of the last point of the medium
   float taps;     // look-ups so far
-  float rays;     // 1 where the eye ray met the volume; FRAME_UNFINISHED until its march is over
-  vec4 march;     // what the integrator needs to go on
+  float rays;     // times that the eye ray was integrated; FRAME_UNFINISHED until its march is over
+  vec4 march;     // what the integrator needs to go on; a: what its look-ups of light may err by
 };
 
 #ifdef COUNT_TAPS
@@ -55,10 +55,17 @@ bool frameHasHit(FrameState state)
   return state.first > FRAME_NO_HIT;
 }
 
+// Whether this draw goes on from the one before.
+#ifdef ONLY_ROUGH
+#define FRAME_CARRIES true
+#else
+#define FRAME_CARRIES (firstStep > 0 || firstLight > 0)
+#endif
+
 FrameState frameBegin()
 {
 #ifdef CARRY_STATE
-  if (firstStep > 0 || firstLight > 0)
+  if (FRAME_CARRIES)
   {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec4 radiance = texelFetch(carriedRadiance, pixel, 0);

@@ -12,29 +12,40 @@ SPECTRUM inScatterPassing(float ahead, Content content)
   return transmittance(max(content.extinction * ahead, -1.0));
 }
 
+// From one light, without the scattering coefficient.
+vec3 inScatterFrom(int number, vec3 middle, vec3 direction, float width, Content content)
+{
+  Light light = lightAt(number, middle, direction, width);
+  vec3 inScattered = vec3(0.0);
+  if (light.irradiance != vec3(0.0))
+  {
+    float phase = PHASE(phaseAngle(light.direction, direction), content.anisotropy);
+    vec3 unshadowed = light.irradiance * phase;
+#ifdef POSITIONAL_LIGHTS
+    unshadowed *= inScatterPassing(dot(light.point - middle, direction), content);
+#endif
+#ifdef LIGHT_CACHE_ROUGHNESS
+    vec3 worth = content.scattering * unshadowed;
+    lightImportance = lightSourceWeight * max(max(worth.r, worth.g), worth.b);
+#endif
+    inScattered = unshadowed * lightTransmittance(number, light.point, light);
+    //VTK::Medium::InScatter::Impl
+  }
+  return inScattered;
+}
+
 vec3 inScatter(vec3 middle, vec3 direction, float width, Content content)
 {
+#ifdef ONE_LIGHT
+  return content.scattering * inScatterFrom(0, middle, direction, width, content);
+#else
   vec3 sum = vec3(0.0);
   for (int number = firstLight; number < lastLight; ++number)
   {
-    Light light = lightAt(number, middle, direction, width);
-    if (light.irradiance != vec3(0.0))
-    {
-      float phase = PHASE(phaseAngle(light.direction, direction), content.anisotropy);
-      vec3 unshadowed = light.irradiance * phase;
-#ifdef POSITIONAL_LIGHTS
-      unshadowed *= inScatterPassing(dot(light.point - middle, direction), content);
-#endif
-#ifdef LIGHT_CACHE_ROUGHNESS
-      vec3 worth = content.scattering * unshadowed;
-      lightImportance = lightSourceWeight * max(max(worth.r, worth.g), worth.b);
-#endif
-      vec3 inScattered = unshadowed * lightTransmittance(number, light.point, light);
-      //VTK::Medium::InScatter::Impl
-      sum += inScattered;
-    }
+    sum += inScatterFrom(number, middle, direction, width, content);
   }
   return content.scattering * sum;
+#endif
 }
 #endif
 

@@ -65,3 +65,9 @@ int keptStepAt(KeptSteps steps, float t)
 {
   return int(clamp((t - steps.begin) / steps.width, 0.0, float(steps.count)));
 }
+
+// How many of so many steps may be taken as one.
+int keptJoined(int steps)
+{
+  return steps;
+}

@@ -139,3 +139,9 @@ int keptStepAt(KeptSteps steps, float t)
   vec4 before = clamp((vec4(t) - steps.begin) / max(steps.width, 1.0e-30), vec4(0.0), counts);
   return int(dot(before, vec4(1.0)));
 }
+
+// How many of so many steps may be taken as one: what lies between parts is not part of a step.
+int keptJoined(int steps)
+{
+  return 1;
+}

@@ -39,10 +39,33 @@ vec4 lightCacheAt(int light, vec3 box)
     light / LIGHTS_PER_CACHE_TEXTURE, box * lightCacheScale + lightCacheBias);
 }
 
-#ifndef LIGHT_CACHE_ROUGHNESS
+#ifdef LIGHT_CACHE_ROUGHNESS
+// The part of a segment's source that reaches the eye, and its width; the integrator sets them.
+float lightSourceWeight = 1.0;
+float lightSourceWidth = 0.0;
+// The same part for the light that is being followed, unshadowed; inScatter sets it.
+float lightImportance = 1.0;
+// What look-ups may err by, so far: radiance.
+float lightCacheRoughness = 0.0;
+
+// Transmittance and roughness.
+vec2 lightCacheRough(int number, vec3 box)
+{
+  vec4 texel = lightCacheAt(number, box);
+  return number % 2 == 0 ? texel.xy : texel.zw;
+}
+#endif
+
+#ifndef ONLY_ROUGH
 // The transmittance from a point to a light, by one look-up.
 float lightTransmittance(int number, vec3 point, Light light)
 {
+#ifdef LIGHT_CACHE_ROUGHNESS
+  vec2 rough = lightCacheRough(number, frameBoxPoint(point));
+  lightCacheRoughness += rough.y * lightImportance * lightSourceWidth;
+  return rough.x;
+#else
   return lightCacheAt(number, frameBoxPoint(point))[number % LIGHTS_PER_CACHE_TEXTURE];
+#endif
 }
 #endif

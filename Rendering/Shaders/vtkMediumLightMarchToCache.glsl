@@ -10,18 +10,6 @@ uniform float lightTolerance; // radiance per local unit
 // roughness of many is not as accurate as it looks.
 uniform int lightLookUpEvery;
 
-// The part of a source at the point that reaches the eye; the integrator sets it.
-float lightSourceWeight = 1.0;
-// The same for the light that is being followed, unshadowed; inScatter sets it.
-float lightImportance = 1.0;
-
-// Transmittance and roughness.
-vec2 lightMarchLookUp(int number, vec3 box)
-{
-  vec4 texel = lightCacheAt(number, box);
-  return number % 2 == 0 ? texel.xy : texel.zw;
-}
-
 float lightTransmittance(int number, vec3 point, Light light)
 {
   vec3 start = frameBoxPoint(point);
@@ -30,20 +18,21 @@ float lightTransmittance(int number, vec3 point, Light light)
   KeptSteps steps = keptSteps(keptOf(point, light.direction, span), LIGHT_STEPS_LONGEST);
   float sum = 0.0;
   float passed = 1.0; // transmittance of the marched part
-  vec2 rest = steps.count > 0 ? lightMarchLookUp(number, start) : vec2(1.0, 0.0);
+  vec2 rest = steps.count > 0 ? lightCacheRough(number, start) : vec2(1.0, 0.0);
   int i = 0;
+  int iterations = 0;
   float asked = 0.0;
   while (i < steps.count && passed * rest.y * lightImportance > lightTolerance)
   {
-    int last = min(i + lightLookUpEvery, steps.count);
-    while (i < last)
+    sum += lightStepsFrom(start, along, steps, i, asked);
+    ++iterations;
+    bool over = i >= steps.count;
+    if (over || iterations % lightLookUpEvery == 0)
     {
-      sum += lightStepsFrom(start, along, steps, i, asked);
+      passed = transmittance(sum);
+      rest = over ? vec2(1.0, 0.0)
+                  : lightCacheRough(number, start + keptStep(steps, i).x * along);
     }
-    passed = transmittance(sum);
-    rest = i < steps.count
-      ? lightMarchLookUp(number, start + keptStep(steps, i).x * along)
-      : vec2(1.0, 0.0);
   }
   return passed * rest.x;
 }

@@ -1,9 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The lights, four texels each in one texture, so that there may be any number of them.
+// The lights, four texels each. There may be any number of them in a texture; a single light needs none.
 
+#ifdef ONE_LIGHT
+uniform vec4 oneLight[4];
+#define lightTexel(column, number) oneLight[column]
+#else
 uniform sampler2D lights;
+#define lightTexel(column, number) texelFetch(lights, ivec2(column, number), 0)
+#endif
 
 struct Light
 {
@@ -45,18 +51,18 @@ void lightReach(vec3 position, vec3 abc, vec3 direction, float width, inout Ligh
 // type), (colour x intensity, cosine of the cone), (attenuation a b c, exponent), (spot axis, unused).
 Light lightAt(int number, vec3 middle, vec3 direction, float width)
 {
-  vec4 place = texelFetch(lights, ivec2(0, number), 0);
-  vec4 colour = texelFetch(lights, ivec2(1, number), 0);
+  vec4 place = lightTexel(0, number);
+  vec4 colour = lightTexel(1, number);
   Light light = Light(middle, place.xyz, 1.0e30, colour.rgb);
 #ifdef POSITIONAL_LIGHTS
   if (place.w != LIGHT_DIRECTIONAL)
   {
-    vec4 attenuation = texelFetch(lights, ivec2(2, number), 0);
+    vec4 attenuation = lightTexel(2, number);
     lightReach(place.xyz, attenuation.xyz, direction, width, light);
 #ifdef SPOT_LIGHTS
     if (place.w == LIGHT_SPOT)
     {
-      vec3 axis = texelFetch(lights, ivec2(3, number), 0).xyz;
+      vec3 axis = lightTexel(3, number).xyz;
       light.irradiance *= lightSpot(-dot(light.direction, axis), colour.a, attenuation.w);
     }
 #endif

@@ -79,8 +79,54 @@ TEST(ErrorControlled, MarchesToCachesWhereLookUpsErr)
         caches ? vtkMediumStatistics::LightMarchedToItsCache : vtkMediumStatistics::LightMarched);
       taps[caches] = scene.Mapper->GetStatistics()->GetTaps();
     }
-    EXPECT_LT(taps[1], taps[0] / 3);
+    EXPECT_LT(taps[1], taps[0] / 2);
+    vtkMediumStatistics* done = scene.Mapper->GetStatistics();
+    EXPECT_GT(done->GetRaysRefined(), 0);
   }
+}
+
+// Only the pixels whose look-ups may err by more than the error are integrated anew, and all keep it.
+TEST(ErrorControlled, RefinesOnlyPixelsWhoseLookUpsMayErr)
+{
+  for (vtkMediumFixtures::Fields field : { vtkMediumFixtures::Cloud, vtkMediumFixtures::Binary })
+  {
+    ControlledScene scene(field);
+    scene.Medium->SetExtinctionScale(20);
+    scene.FindTruth();
+    scene.Mapper->GetStatistics()->CountTapsOn();
+    vtkTypeInt64 taps = 0;
+    for (double maximum : { 8 * Step8Bit, 4 * Step8Bit, 2 * Step8Bit, Step8Bit, 0.5 * Step8Bit })
+    {
+      scene.Mapper->SetMaximumError(maximum);
+      const ReferenceScene::Errors errors = scene.Measure();
+      EXPECT_LE(errors.Largest, maximum);
+      EXPECT_GE(scene.Mapper->GetEstimatedError(), errors.Largest);
+      vtkMediumStatistics* done = scene.Mapper->GetStatistics();
+      EXPECT_EQ(done->GetLightMethod(), vtkMediumStatistics::LightMarchedToItsCache);
+      EXPECT_GT(done->GetRaysRefined(), 0);
+      EXPECT_LT(done->GetRaysRefined(), 0.6 * done->GetRays());
+      EXPECT_GT(done->GetTaps(), taps) << "a larger error costs less";
+      taps = done->GetTaps();
+    }
+  }
+}
+
+// Steps grow behind what hides them; the plain way, FixedStep in the same step, takes more.
+TEST(ErrorControlled, GrowsStepsWhereLittleIsSeen)
+{
+  ControlledScene scene(vtkMediumFixtures::Smooth);
+  scene.Medium->SetExtinctionScale(40);
+  scene.Mapper->SetLightCachesToNever();
+  scene.FindTruth();
+  scene.Mapper->GetStatistics()->CountTapsOn();
+  const ReferenceScene::Errors grown = scene.Measure();
+  EXPECT_LE(grown.Largest, Step8Bit);
+  const vtkTypeInt64 taps = scene.Mapper->GetStatistics()->GetTaps();
+  const double step = scene.Mapper->GetStatistics()->GetEyeStep();
+  scene.Mapper->SetIntegratorToFixedStep();
+  const ReferenceScene::Errors plain = scene.Measure(step);
+  EXPECT_LE(plain.Largest, Step8Bit);
+  EXPECT_LT(taps, 0.75 * scene.Mapper->GetStatistics()->GetTaps());
 }
 
 // The plain way, FixedStep in the same step, sees the same picture: bricks and tiles leave nothing out.

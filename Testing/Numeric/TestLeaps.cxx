@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Leaping empty space changes what a frame costs and not what it shows: ErrorControlled without caches
-// beside FixedStep, which leaps nothing, in the step that the former found.
+// beside itself with user code, whose coefficients bricks know nothing about.
 #include "CutScene.h"
+
+#include "vtkShaderProperty.h"
 
 using namespace vtkMediumTest;
 
@@ -53,8 +55,8 @@ const Cut AllCuts[] = {
     } },
 };
 
-/// The data between two sheets of haze, in which all eye rays begin and end: both integrators then take
-/// their samples at the same places.
+/// The data between two sheets of haze, in which all eye rays begin and end: both ways then take their
+/// samples at the same places.
 struct LeapScene : Scene
 {
   explicit LeapScene(const Data& data, int points = Few, bool haze = true)
@@ -78,13 +80,14 @@ struct LeapScene : Scene
     this->AddPointLight({ 0.9, 0.6, 0.4 });
   }
 
-  /// In the step that ErrorControlled has found.
   Picture RenderPlainly()
   {
-    const double step = this->Mapper->GetStatistics()->GetEyeStep();
-    this->Mapper->SetIntegratorToFixedStep();
-    this->SetSteps(step, step);
-    return this->Render();
+    vtkShaderProperty* code = this->Volume->GetShaderProperty();
+    code->AddFragmentShaderReplacement(
+      "//VTK::Medium::Coefficients::Impl", true, "// as they are\n", false);
+    const Picture picture = this->Render();
+    code->ClearAllFragmentShaderReplacements();
+    return picture;
   }
 };
 
@@ -100,11 +103,13 @@ struct MovedCutsTest : testing::TestWithParam<Data>
 void ExpectLeapsToShowWhatStepsShow(LeapScene& scene)
 {
   vtkMediumStatistics* statistics = scene.Mapper->GetStatistics();
-  scene.Mapper->SetIntegratorToErrorControlled();
   const Picture leapt = scene.Render();
   const vtkTypeInt64 taps = statistics->GetTaps();
+  const double step = statistics->GetEyeStep();
   EXPECT_GT(statistics->GetBricksLeapt(), 0);
   const Picture plain = scene.RenderPlainly();
+  EXPECT_EQ(statistics->GetBricksLeapt(), 0);
+  EXPECT_NEAR(statistics->GetEyeStep(), step, 1e-4 * step);
   ASSERT_TRUE(plain.IsLight());
   ASSERT_TRUE(scene.Errors.empty());
   EXPECT_LT(Difference(leapt, plain), 2e-6) << "of a picture whose alpha is up to 1";

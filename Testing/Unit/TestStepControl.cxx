@@ -53,7 +53,7 @@ vtkMediumStepControl::Probes Caches(double lookUp, double marched, double least,
 {
   vtkMediumStepControl::Probes probes = Marched(Power(1e-3, 2));
   probes.Caches = vtkMediumStepControl::WhereAccurate;
-  probes.InLight = [=, &asked](const Light& light) {
+  probes.InLight = [=, &asked](const Light& light, double) {
     ++asked;
     const double error = light.Method == vtkMediumPlan::LookUp ? lookUp
       : light.Method == vtkMediumPlan::MarchThenLookUp
@@ -267,6 +267,36 @@ TEST(StepControl, ChoosesTheCheapestLightThatIsAccurateEnough)
     control.Calibrate(MakeScene(), maximum, Voxel, probes);
     EXPECT_EQ(control.GetLight().Method, vtkMediumPlan::LookUp);
     EXPECT_GE(control.GetEstimatedError(), row.LookUp) << "it says what always using them costs";
+  }
+}
+
+//------------------------------------------------------------------------------
+// A lower tolerance of marched light rays does not help pixels whose light is looked up: more of them have to
+// be integrated anew.
+TEST(StepControl, IntegratesMorePixelsAnewWhereOthersErr)
+{
+  const double maximum = 1.0 / 255;
+  for (double bounds : { 0.5, 1.0, 3.0, 10.0 }) // what pixels err by, of what their look-ups may
+  {
+    vtkMediumStepControl control;
+    int asked = 0;
+    vtkMediumStepControl::Probes probes = Caches(2, 1, 0, asked);
+    const auto marched = probes.InLight;
+    probes.InLight = [&](const Light& light, double lightStep) {
+      Image image = marched(light, lightStep);
+      if (light.Method == vtkMediumPlan::MarchThenLookUp)
+      {
+        image[4] = static_cast<float>(std::max(double(image[4]), bounds * light.PixelTolerance));
+      }
+      return image;
+    };
+    control.Calibrate(MakeScene(), maximum, Voxel, probes);
+    const Light& light = control.GetLight();
+    EXPECT_EQ(light.Method, vtkMediumPlan::MarchThenLookUp);
+    EXPECT_LE(bounds * light.PixelTolerance, maximum * Peak);
+    EXPECT_LE(light.Tolerance, maximum * Peak);
+    EXPECT_GE(light.PixelTolerance, 0.1 * maximum * Peak / std::max(bounds, 1.0)) << "no waste";
+    EXPECT_LE(control.GetEstimatedError(), maximum * 1.001);
   }
 }
 
