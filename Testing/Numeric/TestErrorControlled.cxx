@@ -202,6 +202,7 @@ TEST(ErrorControlled, TakesFourBytesAVoxelForShortsAndOneLight)
                 false, VTK_SHORT),
     32);
   scene.Mapper->SetIntegratorToErrorControlled();
+  scene.Mapper->SetMaximumError(4 * Step8Bit); // that plain look-ups keep
   scene.Medium->SetExtinctionArrayName("");
   scene.Medium->SetExtinctionScale(0.004);
   scene.AddBeam({ 1, -0.8, -0.2 });

@@ -244,7 +244,8 @@ TEST(StepControl, ChoosesTheCheapestLightThatIsAccurateEnough)
     vtkMediumPlan::LightMethods Expected;
   };
   for (const Case& row :
-    { Case{ 0, 1, 0, vtkMediumPlan::LookUp }, Case{ 0.2 * maximum, 1, 0, vtkMediumPlan::LookUp },
+    { Case{ 0, 1, 0, vtkMediumPlan::LookUp }, Case{ 0.1 * maximum, 1, 0, vtkMediumPlan::LookUp },
+      Case{ 0.2 * maximum, 1, 0, vtkMediumPlan::MarchThenLookUp },
       Case{ 2 * maximum, 0.01, 0, vtkMediumPlan::MarchThenLookUp },
       Case{ 2 * maximum, 1, 0, vtkMediumPlan::MarchThenLookUp },
       Case{ 2 * maximum, 1, maximum, vtkMediumPlan::March } })
