@@ -263,7 +263,7 @@ public:
   ///@}
 
   ///@{
-  /// alpha of Draine's function, finite and >= 0: 0 is Henyey-Greenstein, 1 Cornette-Shanks (with
+  /// alpha of Draine's function, 0 to 1e30: 0 is Henyey-Greenstein, 1 Cornette-Shanks (with
   /// g = 0, Rayleigh). Default: 1.
   vtkSetMacro(DraineAlpha, double);
   vtkGetMacro(DraineAlpha, double);

@@ -141,6 +141,12 @@ const BadMedium BadMedia[] = {
       i.Medium->SetDraineAlpha(-1);
     },
     { "DraineAlpha", "-1" } },
+  { "DraineAlphaBeyondFloat",
+    [](I& i) {
+      i.Medium->SetPhaseFunctionToDraine();
+      i.Medium->SetDraineAlpha(1e39);
+    },
+    { "DraineAlpha", "1e+39", "1e+30" } },
   { "DropletTooSmall",
     [](I& i) {
       i.Medium->SetPhaseFunctionToDroplets();
