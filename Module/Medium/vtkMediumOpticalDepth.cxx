@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMediumOpticalDepth.h"
 
+#include "vtkMediumNearRay.h"
 #include "vtkMediumReferenceCut.h"
+
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 
@@ -41,8 +44,10 @@ vtkMediumOpticalDepth::vtkMediumOpticalDepth(
 glm::dvec3 vtkMediumOpticalDepth::Evaluate(
   const glm::dvec3& origin, const glm::dvec3& direction, double begin, double end) const
 {
-  const vtkMediumBoxRay ray(this->Box, origin, direction);
-  begin = std::max(begin, 0.0);
+  const vtkMediumNearRay near(origin, direction, begin, end);
+  const vtkMediumBoxRay ray(this->Box, near.Origin, direction);
+  begin = near.Begin;
+  end = near.End;
   if (!ray.Clip(begin, end))
   {
     return glm::dvec3(0);
@@ -52,11 +57,21 @@ glm::dvec3 vtkMediumOpticalDepth::Evaluate(
     return this->SumOfPart(ray, begin, end);
   }
   glm::dvec3 sum(0);
-  for (const glm::dvec2& part : vtkMediumKeptParts(this->Cut, origin, direction, begin, end))
+  for (const glm::dvec2& part : vtkMediumKeptParts(this->Cut, near.Origin, direction, begin, end))
   {
     sum += this->SumOfPart(ray, part.x, part.y);
   }
   return sum;
+}
+
+//------------------------------------------------------------------------------
+glm::dvec3 vtkMediumOpticalDepth::EvaluateBetween(const glm::dvec3& a, const glm::dvec3& b) const
+{
+  const bool swap = glm::dot(a, a) > glm::dot(b, b);
+  const glm::dvec3& from = swap ? b : a;
+  const glm::dvec3 way = (swap ? a : b) - from;
+  const double length = glm::length(way);
+  return length > 0 ? this->Evaluate(from, way / length, 0, length) : glm::dvec3(0);
 }
 
 //------------------------------------------------------------------------------

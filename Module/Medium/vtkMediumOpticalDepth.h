@@ -24,6 +24,10 @@ public:
   glm::dvec3 Evaluate(
     const glm::dvec3& origin, const glm::dvec3& direction, double begin, double end) const;
 
+  /// The same between two points. It is the same both ways, so it starts at the nearer point, whose place
+  /// on the ray is the more exact.
+  glm::dvec3 EvaluateBetween(const glm::dvec3& a, const glm::dvec3& b) const;
+
   /// The same from begin + u0 to begin + u1 in a cell that is at hand, without a kink in between.
   glm::dvec3 EvaluateInCell(
     const vtkMediumRayCells& cells, double begin, double u0, double u1) const

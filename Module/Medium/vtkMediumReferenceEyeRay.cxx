@@ -6,6 +6,12 @@
 
 #include <algorithm>
 
+namespace
+{
+// The volume lies within half a unit of its centre.
+constexpr double NextToVolume = 1;
+}
+
 //------------------------------------------------------------------------------
 vtkMediumReferenceEyeRay vtkMediumReferenceEyeRayOf(
   const vtkMediumScene::View& eye, const int size[2], int i, int j)
@@ -22,8 +28,9 @@ vtkMediumReferenceEyeRay vtkMediumReferenceEyeRayOf(
   ray.Begin = slope > 0 ? -height / slope : 0;
   if (eye.Parallel)
   {
-    // The origin is anywhere on the line; let the ray start at the near plane.
-    ray.Origin += ray.Begin * ray.Direction;
+    // The origin is the point of the line that is nearest to the volume's centre; let the ray start at
+    // the near plane, or next to the volume.
+    ray.Origin += std::max(ray.Begin, -NextToVolume) * ray.Direction;
     ray.Begin = 0;
   }
   ray.Begin = std::max(ray.Begin, 0.0);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMediumReferenceIntegrator.h"
 
+#include "vtkMediumNearRay.h"
 #include "vtkMediumReferenceCut.h"
 #include "vtkMediumReferenceLight.h"
 #include "vtkMediumReferencePhase.h"
@@ -121,8 +122,11 @@ vtkMediumReferenceIntegrator::Result vtkMediumReferenceIntegrator::Integrate(
   Ray& ray, double begin, double end) const
 {
   Result result;
+  const vtkMediumNearRay near(ray.Origin, ray.Direction, begin, end);
+  ray.Origin = near.Origin;
+  begin = near.Begin;
+  end = near.End;
   const vtkMediumBoxRay boxRay(this->Scene.Geometry, ray.Origin, ray.Direction);
-  begin = std::max(begin, 0.0);
   if (!boxRay.Clip(begin, end))
   {
     return result;

@@ -73,6 +73,24 @@ void OrientRays(vtkMediumScene::View& view)
   }
 }
 
+//------------------------------------------------------------------------------
+// "" or that the eye rays begin nowhere.
+std::string CheckEye(const vtkMediumScene::View& view, const vtkMediumScene::Box& box)
+{
+  using Box = vtkMediumScene::Box;
+  std::ostringstream problem;
+  if (!Box::IsPlace(view.Origin) || !Box::IsPlace(view.OriginX) || !Box::IsPlace(view.OriginY) ||
+    !(std::abs(view.Start) <= Box::Farthest))
+  {
+    const glm::dvec3 start = view.Start * view.Direction;
+    const glm::dvec3 eye = box.Center + box.Length * (view.Origin + start);
+    problem << "The camera is at (" << eye.x << ", " << eye.y << ", " << eye.z << "), more than "
+            << Box::Farthest << " times the volume's diagonal of " << box.Length
+            << " away from it, or its view is as wide; place it nearer.";
+  }
+  return problem.str();
+}
+
 /// The shortest edge of a volume, of its diagonal: its inverse, times that of a matrix that is all but
 /// singular, is a float.
 constexpr double ThinnestBox = 1e-20;
@@ -216,7 +234,7 @@ std::string vtkMediumScene::GatherView(vtkMatrix4x4* worldToClip)
   {
     std::ostringstream problem;
     problem << "The camera's world-to-clip matrix is singular (determinant " << determinant
-            << "); check the view angle, the clipping range and the window's size.";
+            << "); check its position, the view angle, the clipping range and the window's size.";
     return problem.str();
   }
 
@@ -236,7 +254,7 @@ std::string vtkMediumScene::GatherView(vtkMatrix4x4* worldToClip)
   }
 
   OrientRays(view);
-  return {};
+  return CheckEye(view, this->Geometry);
 }
 
 //------------------------------------------------------------------------------

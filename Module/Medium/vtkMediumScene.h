@@ -32,6 +32,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -59,6 +60,16 @@ public:
     glm::dmat3 LocalToBoxAxes{ 1 };
     glm::dvec3 LocalToBoxOrigin{ 0 };
     double VoxelLength = 0; ///< the shortest edge of a voxel, world units
+
+    /// Further from the volume than so many of its diagonals is no place: squares of it are beyond a double.
+    static constexpr double Farthest = 1e150;
+
+    /// False also for what is not a number.
+    static bool IsPlace(const glm::dvec3& local)
+    {
+      return std::abs(local.x) <= Farthest && std::abs(local.y) <= Farthest &&
+        std::abs(local.z) <= Farthest;
+    }
 
     glm::dvec3 WorldToLocal(const glm::dvec3& world) const
     {

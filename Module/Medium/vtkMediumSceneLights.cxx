@@ -161,8 +161,8 @@ bool Reaches(const vtkMediumScene::Light& light)
   }
   const double rounding = 1e-6;
   const double cosine = -glm::dot(light.Direction, light.Position) / distance;
-  const double off = std::acos(glm::clamp(cosine, -1.0, 1.0)); // NaN for places beyond measure
-  return !(off > std::acos(light.CosCone) + std::asin(radius / distance) + rounding);
+  const double off = std::acos(glm::clamp(cosine, -1.0, 1.0));
+  return off <= std::acos(light.CosCone) + std::asin(radius / distance) + rounding;
 }
 }
 
@@ -194,6 +194,14 @@ std::string vtkMediumScene::ReadLight(vtkRenderer* renderer, vtkLight* source, L
     const double length = this->Geometry.Length;
     light.Attenuation *= glm::dvec3(1, length, length * length);
     light.Position = this->Geometry.WorldToLocal(position);
+    if (!Box::IsPlace(light.Position))
+    {
+      std::ostringstream distant;
+      distant << "A positional light is at " << position << ", more than " << Box::Farthest
+              << " times the volume's diagonal of " << length
+              << " away from it; place it nearer, or make it directional (PositionalOff).";
+      return distant.str();
+    }
   }
   if (light.Type == Light::Spot)
   {

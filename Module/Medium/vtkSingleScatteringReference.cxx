@@ -171,7 +171,7 @@ bool vtkSingleScatteringReference::Radiance(
   const double origin[3], const double direction[3], double rgba[4])
 {
   std::fill(rgba, rgba + 4, 0.0);
-  const double length = glm::length(glm::make_vec3(direction));
+  const double length = std::hypot(direction[0], direction[1], direction[2]);
   if (!(length > 0) || !std::isfinite(length))
   {
     vtkErrorMacro(<< "The direction (" << direction[0] << ", " << direction[1] << ", "
@@ -183,11 +183,17 @@ bool vtkSingleScatteringReference::Radiance(
   {
     return false;
   }
+  glm::dvec3 local;
+  const std::string problem = this->FindPlace(origin, &local[0]);
+  if (!problem.empty())
+  {
+    vtkErrorMacro(<< problem);
+    return false;
+  }
   const vtkMediumReferenceIntegrator integrator(
     this->Scene->Facts, this->Scene->Content, this->Tolerance);
-  const auto result =
-    integrator.Evaluate(this->Scene->Facts.Geometry.WorldToLocal(glm::make_vec3(origin)),
-      glm::make_vec3(direction) / length, 0, std::numeric_limits<double>::infinity(), 0);
+  const auto result = integrator.Evaluate(
+    local, glm::make_vec3(direction) / length, 0, std::numeric_limits<double>::infinity(), 0);
   std::copy(&result.Radiance[0], &result.Radiance[0] + 3, rgba);
   rgba[3] = Alpha(result.OpticalDepth);
   return true;
@@ -201,25 +207,16 @@ void vtkSingleScatteringReference::OpticalDepth(const double a[3], const double 
   {
     return;
   }
-  const vtkMediumScene::Box& box = this->Scene->Facts.Geometry;
-  const glm::dvec3 way = (glm::make_vec3(b) - glm::make_vec3(a)) / box.Length;
-  const double length = glm::length(way);
-  if (!std::isfinite(length))
+  glm::dvec3 from, to;
+  std::string problem = this->FindPlace(a, &from[0]);
+  problem = problem.empty() ? this->FindPlace(b, &to[0]) : problem;
+  if (!problem.empty())
   {
-    vtkErrorMacro(
-      << "The points (" << a[0] << ", " << a[1] << ", " << a[2] << ") and (" << b[0] << ", " << b[1]
-      << ", " << b[2]
-      << ") are not finite, or further apart than a number can say; give points near the "
-         "volume.");
+    vtkErrorMacro(<< problem);
     return;
   }
-  glm::dvec3 depth(0);
-  if (length > 0)
-  {
-    const vtkMediumOpticalDepth evaluator(
-      this->Scene->Facts, this->Scene->Content, this->Tolerance);
-    depth = evaluator.Evaluate(box.WorldToLocal(glm::make_vec3(a)), way / length, 0, length);
-  }
+  const vtkMediumOpticalDepth evaluator(this->Scene->Facts, this->Scene->Content, this->Tolerance);
+  const glm::dvec3 depth = evaluator.EvaluateBetween(from, to);
   std::copy(&depth[0], &depth[0] + 3, rgb);
 }
 

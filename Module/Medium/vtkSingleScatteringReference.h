@@ -25,6 +25,10 @@
  * Cropping and the clipping planes of the volume's mapper cut eye rays and light rays, to the same tolerance.
  * Opaque geometry is not seen.
  *
+ * A ray is followed from next to the volume on, from however far away it comes; from n of the volume's
+ * diagonals away its direction's last digit is n 1e-16 of a diagonal there. Refused are places beyond 1e150
+ * diagonals, and media and lights whose optical depth, emission or scattered light may be beyond 1e290.
+ *
  * Threaded with vtkSMPTools; the result does not depend on the number of threads.
  *
  * @par Parameters
@@ -187,6 +191,7 @@ private:
   std::string GatherMedium();
   std::string GatherLights();
   std::string GatherView(int size[2]);
+  std::string FindPlace(const double world[3], double local[3]) const;
   bool Gather(bool lights);
   double EstimatePeak(const int size[2]);
 

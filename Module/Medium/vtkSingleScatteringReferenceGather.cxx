@@ -18,6 +18,7 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <sstream>
 
 //------------------------------------------------------------------------------
 vtkMTimeType vtkSingleScatteringReference::GetMTime()
@@ -136,6 +137,23 @@ std::string vtkSingleScatteringReference::GatherView(int size[2])
     given ? static_cast<double>(size[0]) / size[1] : this->Renderer->GetTiledAspectRatio();
   return this->Scene->Facts.GatherView(
     this->Renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(aspect, -1, 1));
+}
+
+//------------------------------------------------------------------------------
+std::string vtkSingleScatteringReference::FindPlace(const double world[3], double local[3]) const
+{
+  const vtkMediumScene::Box& box = this->Scene->Facts.Geometry;
+  const glm::dvec3 place = box.WorldToLocal({ world[0], world[1], world[2] });
+  std::copy(&place[0], &place[0] + 3, local);
+  std::ostringstream problem;
+  if (!vtkMediumScene::Box::IsPlace(place))
+  {
+    problem << "The point (" << world[0] << ", " << world[1] << ", " << world[2]
+            << ") is not finite, or more than " << vtkMediumScene::Box::Farthest
+            << " times the volume's diagonal of " << box.Length
+            << " away from it; give a point near the volume.";
+  }
+  return problem.str();
 }
 
 //------------------------------------------------------------------------------

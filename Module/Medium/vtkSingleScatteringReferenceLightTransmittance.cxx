@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The shadow that the medium casts on points of geometry.
 #include "vtkMediumOpticalDepth.h"
-#include "vtkMediumReferenceLight.h"
 #include "vtkSingleScatteringReferenceGathered.h"
 
 #include "vtkDoubleArray.h"
@@ -13,6 +12,7 @@
 #include <glm/exponential.hpp>
 
 #include <algorithm>
+#include <limits>
 
 //------------------------------------------------------------------------------
 bool vtkSingleScatteringReference::LightTransmittance(
@@ -34,14 +34,19 @@ bool vtkSingleScatteringReference::LightTransmittance(
   }
   const vtkMediumScene& scene = this->Scene->Facts;
   vtkMediumScene::Light source;
-  const std::string problem = scene.ReadLight(this->Renderer, light, source);
+  std::string problem = scene.ReadLight(this->Renderer, light, source);
+  const vtkIdType count = points->GetNumberOfPoints();
+  for (vtkIdType id = 0; id < count && problem.empty(); ++id)
+  {
+    double local[3];
+    problem = this->FindPlace(points->GetPoint(id), local);
+  }
   if (!problem.empty())
   {
     vtkErrorMacro(<< problem);
     return false;
   }
   const vtkMediumOpticalDepth depth(scene, this->Scene->Content, this->Tolerance);
-  const vtkIdType count = points->GetNumberOfPoints();
   transmittance->SetNumberOfComponents(3);
   transmittance->SetNumberOfTuples(count);
   if (!transmittance->GetName())
@@ -55,9 +60,9 @@ bool vtkSingleScatteringReference::LightTransmittance(
       glm::dvec3 world;
       points->GetPoint(id, &world[0]);
       const glm::dvec3 local = scene.Geometry.WorldToLocal(world);
-      const vtkMediumIncidentLight incident = vtkMediumReferenceLight(source, local);
-      const glm::dvec3 passed =
-        glm::exp(-depth.Evaluate(local, -incident.Direction, 0, incident.Distance));
+      const glm::dvec3 passed = glm::exp(-(source.Type == vtkMediumScene::Light::Directional
+          ? depth.Evaluate(local, -source.Direction, 0, std::numeric_limits<double>::infinity())
+          : depth.EvaluateBetween(local, source.Position)));
       std::copy(&passed[0], &passed[0] + 3, values + 3 * id);
     }
   });

@@ -9,8 +9,10 @@
 
 #include "vtkMediumClosedForms.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkCellData.h"
+#include "vtkCommand.h"
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
@@ -30,6 +32,8 @@
 
 #include <cmath>
 #include <functional>
+#include <string>
+#include <vector>
 
 namespace ReferenceTests
 {
@@ -121,6 +125,30 @@ struct Setting
   double OpticalDepth(const glm::dvec3& a, const glm::dvec3& b)
   {
     return this->Reference->OpticalDepth(&a[0], &b[0]);
+  }
+};
+
+/// The errors that an object reports while this lives.
+struct Errors
+{
+  std::vector<std::string> Messages;
+  vtkNew<vtkCallbackCommand> Command;
+  vtkObject* Source;
+
+  explicit Errors(vtkObject* source)
+    : Source(source)
+  {
+    this->Command->SetClientData(this);
+    this->Command->SetCallback([](vtkObject*, unsigned long, void* self, void* message) {
+      static_cast<Errors*>(self)->Messages.emplace_back(static_cast<char*>(message));
+    });
+    source->AddObserver(vtkCommand::ErrorEvent, this->Command);
+  }
+  ~Errors() { this->Source->RemoveObserver(this->Command); }
+
+  bool IsOne(const char* part) const
+  {
+    return this->Messages.size() == 1 && this->Messages[0].find(part) != std::string::npos;
   }
 };
 }

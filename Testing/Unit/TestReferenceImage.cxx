@@ -4,9 +4,6 @@
 #include "ReferenceSetting.h"
 #include "vtkMediumFixtures.h"
 
-#include "vtkCallbackCommand.h"
-#include "vtkCommand.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -47,29 +44,6 @@ double Flux(const glm::dvec3& view, const glm::dvec3& light, double sigma)
   }
   return sum * std::pow(1.8 / 40, 2);
 }
-
-struct Errors
-{
-  std::vector<std::string> Messages;
-  vtkNew<vtkCallbackCommand> Command;
-  vtkObject* Source;
-
-  explicit Errors(vtkObject* source)
-    : Source(source)
-  {
-    this->Command->SetClientData(this);
-    this->Command->SetCallback([](vtkObject*, unsigned long, void* self, void* message) {
-      static_cast<Errors*>(self)->Messages.emplace_back(static_cast<char*>(message));
-    });
-    source->AddObserver(vtkCommand::ErrorEvent, this->Command);
-  }
-  ~Errors() { this->Source->RemoveObserver(this->Command); }
-
-  bool IsOne(const char* part) const
-  {
-    return this->Messages.size() == 1 && this->Messages[0].find(part) != std::string::npos;
-  }
-};
 }
 
 // Light path and eye path may be exchanged: who looks along the light, lit along the view, sees the
