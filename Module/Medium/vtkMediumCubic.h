@@ -80,7 +80,10 @@ private:
   {
     int count = 0;
     bounds[count++] = 0;
-    const double a = 3 * this->C3, b = 2 * this->C2, c = this->C1;
+    const double largest =
+      std::max({ 3 * std::abs(this->C3), 2 * std::abs(this->C2), std::abs(this->C1) });
+    const double unit = largest > 0 ? largest : 1; // whose square may be beyond a double
+    const double a = 3 * this->C3 / unit, b = 2 * this->C2 / unit, c = this->C1 / unit;
     const double discriminant = b * b - 4 * a * c;
     if (discriminant > 0)
     {

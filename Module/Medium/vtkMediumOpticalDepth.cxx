@@ -85,7 +85,8 @@ glm::dvec3 vtkMediumOpticalDepth::SumOfPart(
   const vtkMediumScene::Medium& medium = this->Content.GetMedium();
   const double sum =
     this->Function ? this->SumOfFunction(ray, begin, end) : this->SumOfField(ray, begin, end);
-  return this->Box.Length * medium.DensityScale * sum * medium.Extinction.Scale;
+  // In this order each product is one that vtkMediumCheckRange has seen.
+  return sum * medium.Extinction.Scale * medium.DensityScale * this->Box.Length;
 }
 
 //------------------------------------------------------------------------------

@@ -12,6 +12,21 @@ namespace
 {
 // At a light itself the attenuation may be infinite: it is taken at this distance, local units.
 constexpr double NearestDistance = 1e-12;
+
+//------------------------------------------------------------------------------
+// The irradiance on the axis of a positional light, as its attenuation leaves it.
+glm::dvec3 Attenuated(const vtkMediumScene::Light& light, double distance)
+{
+  const double r = std::max(distance, NearestDistance);
+  return light.Irradiance /
+    (light.Attenuation[0] + r * (light.Attenuation[1] + r * light.Attenuation[2]));
+}
+}
+
+//------------------------------------------------------------------------------
+glm::dvec3 vtkMediumBrightest(const vtkMediumScene::Light& light)
+{
+  return light.Type == vtkMediumScene::Light::Directional ? light.Irradiance : Attenuated(light, 0);
 }
 
 //------------------------------------------------------------------------------
@@ -29,9 +44,7 @@ vtkMediumIncidentLight vtkMediumReferenceLight(
   const glm::dvec3 way = position - light.Position;
   incident.Distance = glm::length(way);
   incident.Direction = incident.Distance > 0 ? way / incident.Distance : light.Direction;
-  const double r = std::max(incident.Distance, NearestDistance);
-  incident.Irradiance /=
-    light.Attenuation[0] + r * (light.Attenuation[1] + r * light.Attenuation[2]);
+  incident.Irradiance = Attenuated(light, incident.Distance);
   if (light.Type == vtkMediumScene::Light::Spot)
   {
     const double cosine = glm::dot(incident.Direction, light.Direction);

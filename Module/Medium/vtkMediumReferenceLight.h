@@ -24,6 +24,9 @@ struct vtkMediumIncidentLight
 vtkMediumIncidentLight vtkMediumReferenceLight(
   const vtkMediumScene::Light& light, const glm::dvec3& position);
 
+/// The most that it sends to any point.
+glm::dvec3 vtkMediumBrightest(const vtkMediumScene::Light& light);
+
 /// Appends where along origin + t direction (unit) the light is nearest, which is where its
 /// intensity and its angle change fastest, and where the ray enters and leaves a spot light's cone.
 void vtkMediumAppendLightCuts(const vtkMediumScene::Light& light, const glm::dvec3& origin,

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
 // SPDX-License-Identifier: BSD-3-Clause
 // What vtkSingleScatteringReference reads of its inputs, and when.
+#include "vtkMediumReferenceRange.h"
 #include "vtkSingleScatteringReferenceGathered.h"
 
 #include "vtkParticipatingMedium.h"
@@ -104,6 +105,7 @@ std::string vtkSingleScatteringReference::GatherMedium()
     input, scalars, onCells, volume, this->Medium, this->Anisotropy);
   problem = problem.empty() ? this->Scene->Facts.GatherMask(input, this->MaskInput) : problem;
   problem = problem.empty() ? this->Scene->Facts.GatherCut(mapper, volume) : problem;
+  problem = problem.empty() ? vtkMediumCheckRange(this->Scene->Facts) : problem;
   if (problem.empty())
   {
     this->Scene->Content.Update(this->Scene->Facts);
@@ -118,7 +120,8 @@ std::string vtkSingleScatteringReference::GatherLights()
   {
     return "There is no renderer to take lights and camera from; call SetRenderer.";
   }
-  return this->Scene->Facts.GatherLights(this->Renderer);
+  const std::string problem = this->Scene->Facts.GatherLights(this->Renderer);
+  return problem.empty() ? vtkMediumCheckRangeOfLights(this->Scene->Facts) : problem;
 }
 
 //------------------------------------------------------------------------------

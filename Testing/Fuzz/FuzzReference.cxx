@@ -47,11 +47,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   {
     for (double value : rgba)
     {
-      Demand(value >= 0 && !std::isnan(value), "radiance is >= 0, not " + std::to_string(value));
+      Demand(value >= 0 && std::isfinite(value),
+        "radiance is >= 0 and finite, not " + std::to_string(value));
     }
     Demand(rgba[3] <= 1, "alpha is at most 1");
   }
   const double depth = reference->OpticalDepth(origin, direction);
-  Demand(std::isnan(depth) || depth >= 0, "an optical depth is >= 0");
+  Demand(std::isnan(depth) || (depth >= 0 && std::isfinite(depth)),
+    "an optical depth is >= 0 and finite, not " + std::to_string(depth));
   return 0;
 }
