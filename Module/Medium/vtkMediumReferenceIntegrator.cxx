@@ -10,6 +10,7 @@
 
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -42,20 +43,29 @@ constexpr int MaximumSteepBisections = 1000;
 // What the samples of an interval have shown beside their sum: the range of a light's optical depth.
 struct vtkMediumReferenceIntegrator::LightRange
 {
-  double Least = std::numeric_limits<double>::infinity();
-  double Most = 0;
+  glm::dvec3 Least{ std::numeric_limits<double>::infinity() };
+  glm::dvec3 Most{ 0 };
 
-  void Add(double depth)
+  void Add(const glm::dvec3& depth)
   {
-    this->Least = std::min(this->Least, depth);
-    this->Most = std::max(this->Most, depth);
+    this->Least = glm::min(this->Least, depth);
+    this->Most = glm::max(this->Most, depth);
   }
 
-  /// True if the light may shine between the samples and the interval's ends unseen.
-  bool IsSteep() const
+  /// True if the light may shine between the samples and the interval's ends unseen, in a channel in which
+  /// the eye sees them.
+  bool IsSteep(const glm::bvec3& seen) const
   {
-    const double range = this->Most - this->Least;
-    return range > SteepestDepth && this->Least - UncoveredRange * range < DarkestDepth;
+    const glm::dvec3 range = this->Most - this->Least;
+    const glm::dvec3 least = this->Least - UncoveredRange * range;
+    for (int c = 0; c < 3; ++c)
+    {
+      if (seen[c] && range[c] > SteepestDepth && least[c] < DarkestDepth)
+      {
+        return true;
+      }
+    }
+    return false;
   }
 };
 
@@ -193,7 +203,9 @@ glm::dvec3 vtkMediumReferenceIntegrator::IntegratePiece(
   const Piece& piece, double u0, double u1, const glm::dvec3& depth0, int level) const
 {
   const glm::dvec3 toBegin = piece.DepthToBegin + depth0;
-  if (std::min({ toBegin.x, toBegin.y, toBegin.z }) > 2 * DarkestDepth)
+  // A channel that is deep in the dark is as steep as it may be; another one goes on.
+  const glm::bvec3 seen = glm::lessThanEqual(toBegin, glm::dvec3(2 * DarkestDepth));
+  if (!glm::any(seen))
   {
     return glm::dvec3(0);
   }
@@ -204,7 +216,8 @@ glm::dvec3 vtkMediumReferenceIntegrator::IntegratePiece(
     return this->IntegratePiece(piece, u0, middle, depth0, level + 1) +
       this->IntegratePiece(piece, middle, u1, depth0 + half, level + 1);
   };
-  if (vtkMediumMagnitude(within) > SteepestDepth && level < MaximumSteepBisections)
+  if (vtkMediumMagnitude(within * glm::dvec3(seen)) > SteepestDepth &&
+    level < MaximumSteepBisections)
   {
     return bisect();
   }
@@ -220,7 +233,7 @@ glm::dvec3 vtkMediumReferenceIntegrator::IntegratePiece(
     std::max(2 * this->Content.GetFacetError(), 1e-14) };
   const glm::dvec3 third = this->Sum<3>(piece, u0, u1);
   const bool steep = std::any_of(
-    lights.begin(), lights.end(), [](const LightRange& range) { return range.IsSteep(); });
+    lights.begin(), lights.end(), [&seen](const LightRange& range) { return range.IsSteep(seen); });
   if (!steep && agreement.Holds(third, fourth, vtkMediumFirstLookStrictness))
   {
     return fourth;
@@ -262,7 +275,7 @@ glm::dvec3 vtkMediumReferenceIntegrator::Source(const Piece& piece, double u) co
       }
       const glm::dvec3 depth =
         this->Depth.Evaluate(position, -incident.Direction, 0, incident.Distance);
-      piece.Eye.Lights[k].Add(vtkMediumMagnitude(depth));
+      piece.Eye.Lights[k].Add(depth);
       const double phase = vtkMediumReferencePhase(this->Content.GetMedium(), at.Anisotropy,
         -glm::dot(incident.Direction, piece.Eye.Direction));
       source += phase * at.Scattering * incident.Irradiance * glm::exp(-depth);

@@ -76,6 +76,22 @@ TEST(ReferenceRange, LightsWhoseAttenuationIsNoneAreRefused)
   EXPECT_GT(setting.Radiance(Origin, Along).x, 0);
 }
 
+// Random bytes found it cutting all of a ray as finely as its deepest channel needs.
+TEST(ReferenceRange, AChannelIsTheSameHoweverDeepAnotherIs)
+{
+  RampSetting setting;
+  setting.AddPointLight({ 0.2, 1.3, 0.4 });
+  setting.Medium->SetExtinctionScale(1.5, 2, 3);
+  const glm::dvec4 truth = setting.Radiance(Origin, Along);
+  for (double deep : { 1e3, 1e6, 1e12, 1e100 })
+  {
+    setting.Medium->SetExtinctionScale(1.5, 2, deep);
+    const glm::dvec4 found = setting.Radiance(Origin, Along);
+    EXPECT_NEAR(found.x / truth.x, 1, 1e-8) << deep;
+    EXPECT_NEAR(found.y / truth.y, 1, 1e-8) << deep;
+  }
+}
+
 // Nothing is left of the light that comes from behind, and what is emitted before it is.
 TEST(ReferenceRange, TheDeepestMediumIsOpaqueAndFinite)
 {
