@@ -123,10 +123,12 @@ void paperStep(EyeRay ray, vec3 start, vec3 along, Kept kept, float jitter,
 #ifdef LIT
   if (inside)
   {
-    float at = t + jitter * (end - t);
+    // A whole step has its own length: the difference of two places is rounded to their last digit.
+    float size = crossed || next == partEnd ? end - t : eyeStep;
+    float at = t + jitter * size;
     vec3 source = paperInScatter(ray.origin + at * ray.direction, ray.direction);
     vec3 depth = paperExtinction * (march.path + at - march.base);
-    state.radiance += transmittance(depth) * source * (end - t);
+    state.radiance += transmittance(depth) * source * size;
   }
 #endif
   bool over = next >= partEnd && (!crossed || end >= partEnd);
