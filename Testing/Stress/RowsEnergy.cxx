@@ -117,12 +117,12 @@ void FallingTransmittance(Trial& trial)
   }
 }
 
-/// Sum of the pixels of a parallel view that holds the whole cloud.
-double Gathered(Stage& stage, const glm::dvec3& view, const glm::dvec3& beam)
+/// Sum of the pixels of a parallel view of half the height `scale`, which holds the whole cloud.
+double Gathered(Stage& stage, const glm::dvec3& view, const glm::dvec3& beam, double scale)
 {
   stage.Renderer->RemoveAllLights();
   stage.AddBeam(beam);
-  stage.LookParallel(view, 3, 0.9);
+  stage.LookParallel(view, 3, scale);
   return stage.Render().Mean();
 }
 
@@ -136,6 +136,9 @@ double Fading(const glm::dvec3& p)
 void Reciprocity(Trial& trial)
 {
   const bool paper = trial.Is(Mapper::Paper);
+  // Paper's ellipsoid, where 0.9 - length is 0.5, has half axes of 0.2, 0.18 and 0.16. It shines up to its
+  // silhouette: seen in ten pixels it would be another ellipsoid from each side.
+  const double scale = paper ? 0.25 : 0.9;
   Stage stage(trial,
     paper ? MakeImage(glm::ivec3(17), glm::dvec3(1),
               [](const glm::dvec3& p) { return 0.9 - glm::length(p * glm::dvec3(2, 2.5, 2.2)); })
@@ -150,7 +153,8 @@ void Reciprocity(Trial& trial)
     const glm::dvec3 view = vtkMediumFixtures::RandomDirection(2 * pair, 8);
     const glm::dvec3 beam = vtkMediumFixtures::RandomDirection(2 * pair + 1, 8);
     // The same path backwards: it enters along the view and leaves against the beam.
-    const double there = Gathered(stage, view, beam), back = Gathered(stage, beam, view);
+    const double there = Gathered(stage, view, beam, scale);
+    const double back = Gathered(stage, beam, view, scale);
     trial.AtMost(
       std::abs(there / back - 1), 0.01, "relative difference of pair " + std::to_string(pair));
   }
@@ -169,9 +173,7 @@ std::vector<Row> EnergyRows()
       "1e-5: rounding; Paper: its left Riemann sum overrates by σh", LitBound, {} },
     { 28, "TransmittanceFallsWithExtinction", "strict; ErrorControlled: within its error",
       FallingTransmittance, {} },
-    { 29, "ReciprocityHoldsForTenPairs", "1 %: 32 × 32 pixels of the two views", Reciprocity, {},
-      { { Mapper::Paper,
-        { 6, "in steps of 1/200 and light steps of 1/33 of the box, differs by up to 5.4 %" } } } },
+    { 29, "ReciprocityHoldsForTenPairs", "1 %: 32 × 32 pixels of the two views", Reciprocity, {} },
   };
 }
 }
