@@ -3,12 +3,14 @@
 #include "vtkMediumAccelerator.h"
 
 #include "vtkMediumAllocation.h"
+#include "vtkMediumFoldUniforms.h"
 #include "vtkMediumOpenGL.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
 #include <sstream>
+#include <utility>
 
 namespace
 {
@@ -48,10 +50,12 @@ std::string vtkMediumAccelerator::Update(
     this->BrickSignature = occupancy;
     ++this->BrickBuilds;
   }
+  this->GridFold = vtkMediumFold(this->Grid.GetDimensions(), plan.LargestTexture);
+  this->BrickFold = vtkMediumFold(this->Bricks.GetCount(), plan.LargestTexture);
   this->UploadEmptyBricks();
   if (plan.CachedLights > 0 && !this->UpdateCaches(scene, plan))
   {
-    const glm::ivec3& size = this->Grid.GetDimensions();
+    const glm::ivec3 size = this->GridFold.GetSize();
     std::ostringstream text;
     text << "The device could not allocate the light caches, " << plan.CachedLights << " x "
          << size.x << " x " << size.y << " x " << size.z
@@ -69,12 +73,12 @@ void vtkMediumAccelerator::UploadEmptyBricks()
   {
     return;
   }
-  const glm::ivec3 count = this->Bricks.GetCount();
-  std::vector<unsigned char> reaches = this->EmptyBricks.GetReaches(); // VTK wants it writable
+  const glm::ivec3 size = this->BrickFold.GetSize();
+  std::vector<unsigned char> reaches = this->BrickFold.Fold(this->EmptyBricks.GetReaches(), 1);
   texture->SetContext(this->Window);
   texture->SetMinificationFilter(vtkTextureObject::Nearest);
   texture->SetMagnificationFilter(vtkTextureObject::Nearest);
-  texture->Create3DFromRaw(count.x, count.y, count.z, 1, VTK_UNSIGNED_CHAR, reaches.data());
+  texture->Create3DFromRaw(size.x, size.y, size.z, 1, VTK_UNSIGNED_CHAR, reaches.data());
 }
 
 //------------------------------------------------------------------------------
@@ -143,7 +147,6 @@ bool vtkMediumAccelerator::UploadGroup(int group, const vtkMediumPlan& plan)
 {
   const glm::ivec2 lights = LightsOf(group, plan);
   const int channels = CountChannels(lights, plan.CacheRoughness);
-  const glm::ivec3& size = this->Grid.GetDimensions();
   std::vector<std::uint16_t> texels(this->Grid.GetValues().size() * channels);
   for (int number = lights.x; number < lights.y; ++number)
   {
@@ -175,6 +178,8 @@ bool vtkMediumAccelerator::UploadGroup(int group, const vtkMediumPlan& plan)
   texture->SetInternalFormat(formats[channels]);
   texture->SetDataType(GL_HALF_FLOAT);
   ++this->LightCacheUploads;
+  const glm::ivec3 size = this->GridFold.GetSize();
+  texels = this->GridFold.Fold(std::move(texels), channels);
   return texture->Create3DFromRaw(size.x, size.y, size.z, channels, VTK_FLOAT, texels.data()) &&
     vtkMediumIsAllocated(texture);
 }
@@ -214,17 +219,20 @@ void vtkMediumAccelerator::Activate(vtkShaderProgram* program, const vtkMediumPl
     const glm::vec3 bias(lower / double(vtkMediumBricks::Edge));
     program->SetUniform3f("boxToBricksScale", &scale[0]);
     program->SetUniform3f("boxToBricksBias", &bias[0]);
+    const glm::vec3 lastBrick(this->Bricks.GetCount() - 1);
+    program->SetUniform3f("lastBrick", &lastBrick[0]);
+    if (plan.Folded)
+    {
+      vtkMediumSetFoldUniforms(program, "emptyBricksFold", this->BrickFold);
+    }
     program->SetUniformf("eyeLeapsFrom", plan.LeapEyeSteps ? 0.0f : 1e30f);
   }
   for (int group = 0; group < plan.GetCacheTextures(); ++group)
   {
     activate(this->CacheTextures[group], "lightCaches[" + std::to_string(group) + ']');
   }
-  const glm::dvec3 size(this->Grid.GetDimensions());
-  const glm::vec3 scale((this->Grid.GetUpper() - this->Grid.GetLower()) / size);
-  const glm::vec3 bias((this->Grid.GetLower() + 0.5) / size);
-  program->SetUniform3f("lightCacheScale", &scale[0]);
-  program->SetUniform3f("lightCacheBias", &bias[0]);
+  vtkMediumSetLatticeUniforms(program, { "lightCacheScale", "lightCacheBias", "lightCacheFold" },
+    this->GridFold, this->Grid.GetLower(), this->Grid.GetUpper(), plan.Folded);
   program->SetUniformi("lightLookUpEvery", plan.LightLookUpEvery);
   program->SetUniformf("pixelTolerance", static_cast<float>(plan.PixelTolerance));
   program->SetUniformf("lightTolerance", static_cast<float>(plan.LightTolerance));
@@ -261,7 +269,8 @@ vtkTypeInt64 vtkMediumAccelerator::GetBytes() const
   vtkTypeInt64 bytes = 0;
   for (const auto& texture : this->CacheTextures)
   {
-    bytes += static_cast<vtkTypeInt64>(this->Grid.GetValues().size()) * texture->GetComponents() *
+    const glm::ivec3 size = this->GridFold.GetSize();
+    bytes += static_cast<vtkTypeInt64>(size.x) * size.y * size.z * texture->GetComponents() *
       sizeof(std::uint16_t);
   }
   return bytes;

@@ -15,6 +15,7 @@
 #include "vtkMediumCompatibility.h"
 #include "vtkMediumEmptyBricks.h"
 #include "vtkMediumExtinctionGrid.h"
+#include "vtkMediumFold.h"
 #include "vtkMediumLightCache.h"
 #include "vtkMediumPlan.h"
 #include "vtkMediumSignature.h"
@@ -79,6 +80,8 @@ private:
   vtkMediumExtinctionGrid Grid;
   vtkMediumBricks Bricks;
   vtkMediumEmptyBricks EmptyBricks;
+  vtkMediumFold GridFold;  ///< how light caches lie in their textures
+  vtkMediumFold BrickFold; ///< and the reaches of empty bricks
   std::vector<std::unique_ptr<CachedLight>> Lights;
   std::vector<vtkSmartPointer<vtkTextureObject>> CacheTextures;
   int CachedLights = 0;           ///< as uploaded

@@ -39,7 +39,8 @@ vtkMediumPlan::vtkMediumPlan(
 {
   const bool paper = settings.Integrator == Mapper::Paper;
   this->Fields = paper ? PaperFields(scene) : scene.Content.Fields;
-  this->Validate(settings, device);
+  this->Validate(settings);
+  this->PlanFolds(device);
   this->ValidateCut(scene.Cut);
   this->PlanUserCode(settings);
   if (!this->Refusal.empty())
@@ -93,7 +94,7 @@ vtkMediumPlan::vtkMediumPlan(
 }
 
 //------------------------------------------------------------------------------
-void vtkMediumPlan::Validate(const Settings& settings, const Capabilities& device)
+void vtkMediumPlan::Validate(const Settings& settings)
 {
   const double infinity = std::numeric_limits<double>::infinity();
   if (!(settings.SampleDistance >= 0 && settings.SampleDistance < infinity))
@@ -131,18 +132,6 @@ void vtkMediumPlan::Validate(const Settings& settings, const Capabilities& devic
     this->Refusal =
       "The Exact integrator has no step to estimate an error from; choose another output "
       "(SetOutputToRadiance), or the FixedStep or ErrorControlled integrator.";
-  }
-  for (const vtkMediumField& field : this->Fields)
-  {
-    const int longest = std::max({ field.Dimensions.x, field.Dimensions.y, field.Dimensions.z });
-    if (this->Refusal.empty() && longest > device.TextureSize3D)
-    {
-      std::ostringstream text;
-      text << "The image has " << longest << " values along an axis, but the device's largest 3D "
-           << "texture has " << device.TextureSize3D
-           << "; resample the image or render a part of it (vtkImageResize, vtkExtractVOI).";
-      this->Refusal = text.str();
-    }
   }
 }
 

@@ -10,6 +10,7 @@
 #ifndef vtkMediumPlan_h
 #define vtkMediumPlan_h
 
+#include "vtkMediumFold.h"
 #include "vtkMediumScene.h"
 #include "vtkParticipatingMediaRenderingModule.h" // for the export macro
 
@@ -161,6 +162,9 @@ public:
   double PaperThreshold = 0; ///< Paper: in the units of the texture, 0…1 over the field's range
   Homogeneous Filled;        ///< Paper
   std::vector<vtkMediumField> Fields; ///< the textures that the integrator reads, by number
+  std::vector<vtkMediumFold> Folds;   ///< how they lie in these textures
+  bool Folded = false;                ///< one of them, at least, lies in blocks
+  int LargestTexture = 0;             ///< texels along an axis of a 3D texture, at most
   std::vector<Pass> Passes;
   std::vector<Lattice> Lattices; ///< Exact
   /// Exact: loop iterations after which a draw hands over to the next; each pass is drawn until every
@@ -193,7 +197,9 @@ public:
     const glm::ivec2& viewportSize);
 
 private:
-  void Validate(const Settings&, const Capabilities&);
+  void Validate(const Settings&);
+  void PlanFolds(const Capabilities&);
+  std::string FieldDefines() const;
   void ValidateCut(const vtkMediumCut&);
   void PlanUserCode(const Settings&);
   static bool CutsLightRays(const vtkMediumScene&);

@@ -57,7 +57,7 @@ void vtkMediumPlan::ChooseProgram(
   defines << (this->OpaqueShadows ? "#define OPAQUE_SHADOWS\n" : "");
   defines << (this->NeedsState() ? "#define CARRY_STATE\n" : "");
   defines << this->OutputDefines(settings);
-  defines << "#define FIELD_COUNT " << this->Fields.size() << "\n";
+  defines << this->FieldDefines();
   if (paper)
   {
     defines << this->PaperDefines(settings);
@@ -112,7 +112,7 @@ void vtkMediumPlan::ChooseShaderFiles(const vtkMediumScene& scene, int integrato
   {
     add({ "ClippingPlanes" });
   }
-  add({ scene.Cut.CutsRegions() ? "KeptRegions" : "KeptInterval", "EyeRay", "Fields" });
+  add({ scene.Cut.CutsRegions() ? "KeptRegions" : "KeptInterval", "EyeRay", "Fold", "Fields" });
   if (this->Lit)
   {
     add({ "PhaseLobes", "Light" });

@@ -3,6 +3,7 @@
 #include "vtkMediumTextures.h"
 
 #include "vtkMediumAllocation.h"
+#include "vtkMediumFoldUniforms.h"
 #include "vtkMediumFormulas.h"
 #include "vtkMediumPackedTexels.h"
 #include "vtkMediumTexels.h"
@@ -81,9 +82,9 @@ std::string vtkMediumTextures::Update(
   }
   for (std::size_t i = 0; i < plan.Fields.size(); ++i)
   {
-    if (!this->UpdateField(*this->Fields[i], plan.Fields[i]))
+    if (!this->UpdateField(*this->Fields[i], plan.Fields[i], plan.Folds[i]))
     {
-      const glm::ivec3& size = plan.Fields[i].Dimensions;
+      const glm::ivec3 size = plan.Folds[i].GetSize();
       std::ostringstream text;
       text << "The device could not allocate a 3D texture of " << size.x << " x " << size.y << " x "
            << size.z << " x " << plan.Fields[i].Components
@@ -110,15 +111,16 @@ std::string vtkMediumTextures::Update(
 }
 
 //------------------------------------------------------------------------------
-bool vtkMediumTextures::UpdateField(FieldTexture& texture, const vtkMediumField& field)
+bool vtkMediumTextures::UpdateField(
+  FieldTexture& texture, const vtkMediumField& field, const vtkMediumFold& fold)
 {
   vtkTextureObject* object = texture.Texture;
   const bool kept = object->GetHandle() && texture.Array == field.Array.Get() &&
     texture.Time == field.Time && texture.FirstComponent == field.FirstComponent &&
-    texture.Components == field.Components && texture.Dimensions == field.Dimensions;
+    texture.Components == field.Components && texture.Fold == fold;
   if (!kept)
   {
-    if (!this->UploadField(object, field))
+    if (!this->UploadField(object, field, fold))
     {
       object->ReleaseGraphicsResources(this->Window);
       return false;
@@ -127,9 +129,9 @@ bool vtkMediumTextures::UpdateField(FieldTexture& texture, const vtkMediumField&
     texture.Time = field.Time;
     texture.FirstComponent = field.FirstComponent;
     texture.Components = field.Components;
-    texture.Dimensions = field.Dimensions;
-    texture.Bytes = static_cast<vtkTypeInt64>(field.Dimensions.x) * field.Dimensions.y *
-      field.Dimensions.z * field.Components *
+    texture.Fold = fold;
+    const glm::ivec3 size = fold.GetSize();
+    texture.Bytes = static_cast<vtkTypeInt64>(size.x) * size.y * size.z * field.Components *
       (vtkMediumPackingFactor(field) > 0 ? sizeof(std::uint16_t) : sizeof(float));
     ++this->Uploads;
   }
@@ -140,7 +142,8 @@ bool vtkMediumTextures::UpdateField(FieldTexture& texture, const vtkMediumField&
 }
 
 //------------------------------------------------------------------------------
-bool vtkMediumTextures::UploadField(vtkTextureObject* texture, const vtkMediumField& field)
+bool vtkMediumTextures::UploadField(
+  vtkTextureObject* texture, const vtkMediumField& field, const vtkMediumFold& fold)
 {
   texture->SetContext(this->Window);
   texture->SetWrapS(vtkTextureObject::ClampToEdge);
@@ -148,18 +151,18 @@ bool vtkMediumTextures::UploadField(vtkTextureObject* texture, const vtkMediumFi
   texture->SetWrapR(vtkTextureObject::ClampToEdge);
   texture->ResetFormatAndType(); // it may have held another field
   auto create = [&](int type, void* texels) {
-    return texture->Create3DFromRaw(field.Dimensions.x, field.Dimensions.y, field.Dimensions.z,
-             field.Components, type, texels) &&
+    const glm::ivec3 size = fold.GetSize();
+    return texture->Create3DFromRaw(size.x, size.y, size.z, field.Components, type, texels) &&
       vtkMediumIsAllocated(texture);
   };
   if (vtkMediumPackingFactor(field) > 0)
   {
     static const unsigned int formats[5] = { 0, GL_R16, GL_RG16, GL_RGB16, GL_RGBA16 };
     texture->SetInternalFormat(formats[field.Components]);
-    std::vector<std::uint16_t> texels = vtkMediumPackedTexels(field);
+    std::vector<std::uint16_t> texels = fold.Fold(vtkMediumPackedTexels(field), field.Components);
     return create(VTK_UNSIGNED_SHORT, texels.data());
   }
-  std::vector<float> texels = vtkMediumTexels(field, this->NonFinite);
+  std::vector<float> texels = fold.Fold(vtkMediumTexels(field, this->NonFinite), field.Components);
   return create(VTK_FLOAT, texels.data());
 }
 
@@ -273,14 +276,10 @@ void vtkMediumTextures::Activate(vtkShaderProgram* program, const vtkMediumPlan&
   {
     const vtkMediumField& field = plan.Fields[i];
     activate(this->Fields[i]->Texture, Indexed("fields", i));
-    // Box to texture coordinates; texel centres lie half a texel inside the texture.
-    const glm::dvec3 first = field.BoxToLattice(glm::dvec3(0));
-    const glm::dvec3 last = field.BoxToLattice(glm::dvec3(1));
-    const glm::dvec3 size(field.Dimensions);
-    const glm::vec3 scale((last - first) / size);
-    const glm::vec3 bias((first + 0.5) / size);
-    program->SetUniform3f(Indexed("fieldScale", i).c_str(), &scale[0]);
-    program->SetUniform3f(Indexed("fieldBias", i).c_str(), &bias[0]);
+    vtkMediumSetLatticeUniforms(program,
+      { Indexed("fieldScale", i), Indexed("fieldBias", i), Indexed("fieldFolds", i) },
+      plan.Folds[i], field.BoxToLattice(glm::dvec3(0)), field.BoxToLattice(glm::dvec3(1)),
+      plan.Folded);
     program->SetUniformf(
       Indexed("fieldTexelScale", i).c_str(), static_cast<float>(vtkMediumTexelScale(field)));
     // In the field's own unit, which the coefficients' scales take up (vtkMediumFrame): a double may be

@@ -51,13 +51,14 @@ private:
     vtkMTimeType Time = 0;
     int FirstComponent = 0;
     int Components = 0;
-    glm::ivec3 Dimensions{ 0 };
+    vtkMediumFold Fold;
     vtkTypeInt64 Bytes = 0;
     vtkNew<vtkTextureObject> Texture;
   };
 
-  bool UpdateField(FieldTexture& texture, const vtkMediumField& field);
-  bool UploadField(vtkTextureObject* texture, const vtkMediumField& field);
+  bool UpdateField(FieldTexture& texture, const vtkMediumField& field, const vtkMediumFold& fold);
+  bool UploadField(
+    vtkTextureObject* texture, const vtkMediumField& field, const vtkMediumFold& fold);
   void UpdateFunctions(const std::vector<vtkMediumFunction>& functions, bool integrals);
   void UpdateLights(const std::vector<vtkMediumScene::Light>& lights);
   void UpdatePhase(const std::vector<double>& table);

@@ -6,6 +6,8 @@
 
 uniform sampler3D emptyBricks; // a brick's reach, of 255
 uniform vec3 boxToBricksScale, boxToBricksBias;
+uniform vec3 lastBrick; // indices
+FOLD(emptyBricksFold)
 uniform float eyeLeapsFrom; // t from which eye rays ask; never, where asking costs more than it spares
 
 // Until where a ray need not ask again, from a point of it on, in lengths of its direction: x where it leaves
@@ -15,11 +17,11 @@ vec2 emptyBricksAhead(vec3 point, vec3 direction)
 {
   COUNT(1);
   vec3 at = point * boxToBricksScale + boxToBricksBias;
-  ivec3 brick = clamp(ivec3(floor(at)), ivec3(0), textureSize(emptyBricks, 0) - 1);
-  float reach = floor(texelFetch(emptyBricks, brick, 0).r * 255.0 + 0.5);
+  vec3 brick = clamp(floor(at), vec3(0.0), lastBrick);
+  float reach = floor(texelFetch(emptyBricks, foldTexel(emptyBricksFold, brick), 0).r * 255.0 + 0.5);
   float around = max(reach, 1.0);
   vec3 speed = direction * boxToBricksScale;
-  vec3 faces = vec3(brick) + mix(vec3(1.0 - around), vec3(around), greaterThan(speed, vec3(0.0)));
+  vec3 faces = brick + mix(vec3(1.0 - around), vec3(around), greaterThan(speed, vec3(0.0)));
   bvec3 still = lessThan(abs(speed), vec3(1.0e-20));
   vec3 ahead = mix((faces - at) / mix(speed, vec3(1.0), still), vec3(1.0e30), still);
   float leaves = max(min(ahead.x, min(ahead.y, ahead.z)), 0.0);

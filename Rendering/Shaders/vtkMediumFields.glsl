@@ -5,8 +5,9 @@
 
 #if FIELD_COUNT > 0
 uniform sampler3D fields[FIELD_COUNT];
-uniform vec3 fieldScale[FIELD_COUNT]; // box to texture coordinates
+uniform vec3 fieldScale[FIELD_COUNT]; // box to what foldPlace takes
 uniform vec3 fieldBias[FIELD_COUNT];
+FOLD(fieldFolds[FIELD_COUNT])
 uniform float fieldTexelScale[FIELD_COUNT]; // the texture's value to that
 uniform float fieldMinimum[FIELD_COUNT]; // the value of a texel of 0, in the field's unit
 uniform float fieldRange[FIELD_COUNT];   // the value of a texel of 1, less that
@@ -35,12 +36,12 @@ vec4 fieldInterpolate(sampler3D field, vec3 coordinate)
 #endif
 
 // Macros, because GLSL 1.50 wants the number of a texture to be a constant.
+#define fieldPlace(number, box)                                                                    \
+  foldPlace(fieldFolds[number], (box) * fieldScale[number] + fieldBias[number])
 #define fieldTexel(number, box)                                                                    \
-  (fieldInterpolate(fields[number], (box) * fieldScale[number] + fieldBias[number]) *              \
-    fieldTexelScale[number])
+  (fieldInterpolate(fields[number], fieldPlace(number, box)) * fieldTexelScale[number])
 // Of a mask: its texel, whose border is that of its voxel.
 #define fieldNearest(number, box)                                                                  \
-  (texture(fields[number], (box) * fieldScale[number] + fieldBias[number]).r *                     \
-    fieldTexelScale[number])
+  (texture(fields[number], fieldPlace(number, box)).r * fieldTexelScale[number])
 #define fieldValue(number, box) (fieldTexel(number, box) * fieldRange[number] + fieldMinimum[number])
 #endif

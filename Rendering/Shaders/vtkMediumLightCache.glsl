@@ -6,7 +6,8 @@
 // 0...1.
 
 uniform sampler3D lightCaches[LIGHT_CACHE_TEXTURES];
-uniform vec3 lightCacheScale, lightCacheBias; // box to texture coordinates
+uniform vec3 lightCacheScale, lightCacheBias; // box to what foldPlace takes
+FOLD(lightCacheFold)
 
 // GLSL 1.50 wants the number of a texture to be a constant.
 vec4 lightCacheTexel(int number, vec3 at)
@@ -35,8 +36,8 @@ vec4 lightCacheTexel(int number, vec3 at)
 vec4 lightCacheAt(int light, vec3 box)
 {
   COUNT(1);
-  return lightCacheTexel(
-    light / LIGHTS_PER_CACHE_TEXTURE, box * lightCacheScale + lightCacheBias);
+  return lightCacheTexel(light / LIGHTS_PER_CACHE_TEXTURE,
+    foldPlace(lightCacheFold, box * lightCacheScale + lightCacheBias));
 }
 
 #ifdef LIGHT_CACHE_ROUGHNESS

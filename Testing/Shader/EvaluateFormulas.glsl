@@ -57,7 +57,7 @@ vec4 evaluate(vec4 a, vec4 b)
       return vec4(lightSegment(a.xyz, b.xyz, a.w, b.w), 0.0, 0.0);
 #if FIELD_COUNT > 0
     case 18:
-      return fieldInterpolate(fields[0], a.xyz);
+      return fieldInterpolate(fields[0], foldPlace(fieldFolds[0], a.xyz));
 #endif
   }
   return vec4(-1.0);

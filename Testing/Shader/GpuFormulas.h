@@ -8,6 +8,7 @@
 #define GpuFormulas_h
 
 #include "EvaluateFormulas.h"
+#include "vtkMediumFoldUniforms.h"
 #include "vtkMediumProgram.h"
 
 #include "vtkNew.h"
@@ -28,6 +29,7 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// Up to eight arguments of a formula, in the order of EvaluateFormulas.glsl.
@@ -56,7 +58,7 @@ public:
     JitterOffset,
     PhaseAngle,
     LightSegment,
-    FieldInterpolate, ///< of the field that SetField gave; with FIELD_COUNT 1
+    FieldInterpolate, ///< of the field that SetField gave; with FIELD_COUNT 1; FOLDED, of lattice coordinates
   };
 
   explicit GpuFormulas(const std::string& defines = "#define FIELD_COUNT 0\n")
@@ -67,7 +69,8 @@ public:
     this->Window->Render();
     this->GL = vtkOpenGLRenderWindow::SafeDownCast(this->Window);
     const std::string text = vtkMediumProgram::Assemble(
-      { "Phase", "Segment", "Transmittance", "RayBox", "Light", "Jitter", "Fields" }, defines);
+      { "Phase", "Segment", "Transmittance", "RayBox", "Light", "Jitter", "Fold", "Fields" },
+      defines);
     this->Quad.reset(
       new vtkOpenGLQuadHelper(this->GL, nullptr, (text + EvaluateFormulas).c_str(), nullptr));
   }
@@ -78,9 +81,12 @@ public:
     this->Quad->ReleaseGraphicsResources(this->GL);
   }
 
-  /// A field of one component as the mapper's textures hold it, x fastest.
-  void SetField(const glm::ivec3& size, std::vector<float> values)
+  /// A field of one component as the mapper's textures hold it, x fastest, on a device with this limit.
+  void SetField(const glm::ivec3& dimensions, std::vector<float> values, int limit = 256)
   {
+    this->Fold = vtkMediumFold(dimensions, limit);
+    const glm::ivec3 size = this->Fold.GetSize();
+    values = this->Fold.Fold(std::move(values), 1);
     this->Field->SetContext(this->GL);
     this->Field->SetMinificationFilter(vtkTextureObject::Linear);
     this->Field->SetMagnificationFilter(vtkTextureObject::Linear);
@@ -126,6 +132,7 @@ public:
       this->Field->Activate();
       const int unit = this->Field->GetTextureUnit();
       this->Quad->Program->SetUniform1iv("fields", 1, &unit);
+      vtkMediumSetFoldUniforms(this->Quad->Program, "fieldFolds[0]", this->Fold);
     }
     const float outputSize[2] = { static_cast<float>(width), static_cast<float>(height) };
     this->Quad->Program->SetUniform2f("outputSize", outputSize);
@@ -154,6 +161,7 @@ private:
   vtkNew<vtkRenderWindow> Window;
   vtkOpenGLRenderWindow* GL = nullptr;
   vtkNew<vtkTextureObject> Field;
+  vtkMediumFold Fold;
   std::unique_ptr<vtkOpenGLQuadHelper> Quad;
 };
 

@@ -26,6 +26,7 @@ public:
     NoMemoryFor2D,        ///< a 2D texture of floats cannot be allocated
     NoMemoryForDepth,     ///< nor one of float depths
     NoTextures3D,         ///< the largest 3D texture has no texels
+    SmallTextures3D,      ///< it has Limit3D along each axis
   };
 
   explicit GLFault(Kinds kind)
@@ -37,7 +38,7 @@ public:
     Active() = kind;
 #if VTK_MODULE_ENABLE_VTK_glad
     glTexImage2D = TexImage2DOrNot;
-    glGetIntegerv = GetIntegervOrNone;
+    glGetIntegerv = GetIntegervOrLess;
 #endif
     switch (kind)
     {
@@ -84,10 +85,15 @@ public:
       (Active() == NoMemoryForDepth && format == GL_DEPTH_COMPONENT32F);
   }
 
-  /// Whether the answer to glGetIntegerv is 0.
-  static bool DeniesAny(GLenum name)
+  static constexpr GLint Limit3D = 16;
+
+  /// Changes the answer to glGetIntegerv.
+  static void Answer(GLenum name, GLint* value)
   {
-    return Active() == NoTextures3D && name == GL_MAX_3D_TEXTURE_SIZE;
+    if (name == GL_MAX_3D_TEXTURE_SIZE)
+    {
+      *value = Active() == NoTextures3D ? 0 : Active() == SmallTextures3D ? Limit3D : *value;
+    }
   }
 
 private:
@@ -135,10 +141,10 @@ private:
       Denies2D(format) ? GLenum(GL_NONE) : target, level, format, w, h, border, pixels, type, data);
   }
 
-  static void GLAPIENTRY GetIntegervOrNone(GLenum name, GLint* value)
+  static void GLAPIENTRY GetIntegervOrLess(GLenum name, GLint* value)
   {
     Current()->GetIntegerv(name, value);
-    *value = DeniesAny(name) ? 0 : *value;
+    Answer(name, value);
   }
 
   decltype(glTexImage2D) TexImage2D = glTexImage2D;

@@ -253,27 +253,6 @@ void SwappedInputs(Trial& trial)
       s.Mapper->SetMedium(s.Medium);
     });
 }
-
-void HugeImages(Trial& trial)
-{
-  GLint largest = 0;
-  {
-    Stage probe(trial, MakeBox(), 4);
-    glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &largest);
-  }
-  CheckRefusal(
-    trial, "largest 3D texture",
-    [&](Stage& stage) {
-      stage.Medium->SetExtinctionArrayName("");
-      stage.Mapper->SetInputData(MakeImage(
-        { largest + 1, 2, 2 }, glm::dvec3(1), [](const glm::dvec3&) { return 1.0; }, false,
-        VTK_UNSIGNED_CHAR));
-    },
-    [](Stage& stage) {
-      UseBox(stage);
-      stage.Medium->SetExtinctionArrayName(nullptr);
-    });
-}
 }
 
 std::vector<Row> DataRows()
@@ -288,7 +267,6 @@ std::vector<Row> DataRows()
     { 48, "ResampledFieldIsTheSame", "S; Paper 1e-3: its surface is found to 2⁻¹⁰ of a step",
       Resampled, {} },
     { 55, "SwappedInputsAreSeen", "1e-6; E for an image without scalars", SwappedInputs, {} },
-    { 56, "ImagesBeyondTheDeviceAreRefused", "E; out of memory is row 57", HugeImages, {} },
   };
 }
 }

@@ -95,7 +95,7 @@ const std::vector<Row>& Table()
   if (table.empty())
   {
     for (auto rows : { OpticalDepthRows, MarchRows, LightRows, PhaseRows, EnergyRows, PlacementRows,
-           DepthRows, DataRows, FunctionRows, FrameRows, FaultRows })
+           DepthRows, DataRows, FoldRows, FunctionRows, FrameRows, FaultRows })
     {
       const std::vector<Row> some = rows();
       table.insert(table.end(), some.begin(), some.end());

@@ -83,6 +83,7 @@ std::vector<Row> EnergyRows();
 std::vector<Row> PlacementRows();
 std::vector<Row> DepthRows();
 std::vector<Row> DataRows();
+std::vector<Row> FoldRows();
 std::vector<Row> FunctionRows();
 std::vector<Row> FrameRows();
 std::vector<Row> FaultRows();

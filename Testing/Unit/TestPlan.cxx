@@ -277,6 +277,32 @@ TEST(Plan, NamesBothNumbersBeyondTheTextureLimit)
 }
 
 //------------------------------------------------------------------------------
+TEST(Plan, FoldsWhatIsLongerThanATexture)
+{
+  Device device;
+  device.TextureSize3D = 64;
+  vtkMediumScene scene = MakeScene();
+  scene.Scalars.Dimensions = scene.Content.Fields[0].Dimensions = { 100, 30, 30 };
+  for (int integrator :
+    { Mapper::Paper, Mapper::FixedStep, Mapper::ErrorControlled, Mapper::Exact })
+  {
+    Settings settings = With(integrator);
+    settings.PaperThreshold = 0.5;
+    if (integrator == Mapper::Paper)
+    {
+      scene.Content.Extinction = Coefficient();
+    }
+    const vtkMediumPlan plan(scene, settings, device);
+    EXPECT_EQ(plan.Refusal, "") << integrator;
+    EXPECT_TRUE(plan.Folded && Has(plan, "FOLDED")) << integrator;
+    const vtkMediumPlan whole(scene, settings, Device());
+    EXPECT_FALSE(whole.Folded || Has(whole, "FOLDED")) << integrator;
+    scene.Content = MakeScene().Content;
+    scene.Content.Fields[0].Dimensions = { 100, 30, 30 };
+  }
+}
+
+//------------------------------------------------------------------------------
 TEST(Plan, CutsByWhatTheSceneHasAndNothingElse)
 {
   using Plane = vtkMediumCut::Plane;
