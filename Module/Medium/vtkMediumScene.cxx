@@ -3,6 +3,7 @@
 #include "vtkMediumScene.h"
 
 #include "vtkMediumContent.h"
+#include "vtkMediumRange.h"
 
 #include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
@@ -178,10 +179,11 @@ std::string vtkMediumScene::GatherVolume(vtkImageData* input, vtkDataArray* scal
       return problem;
     }
   }
-  return medium ? vtkMediumContentFromMedium(this->Content, this->ColorTables, input, scalars,
-                    onCells, volume->GetProperty(), medium)
-                : vtkMediumContentFromProperty(this->Content, this->ColorTables, input, scalars,
-                    onCells, volume->GetProperty(), anisotropy);
+  problem = medium ? vtkMediumContentFromMedium(this->Content, this->ColorTables, input, scalars,
+                       onCells, volume->GetProperty(), medium)
+                   : vtkMediumContentFromProperty(this->Content, this->ColorTables, input, scalars,
+                       onCells, volume->GetProperty(), anisotropy);
+  return problem.empty() ? vtkMediumCheckRange(*this) : problem;
 }
 
 //------------------------------------------------------------------------------

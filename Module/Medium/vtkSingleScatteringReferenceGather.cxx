@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
 // SPDX-License-Identifier: BSD-3-Clause
 // What vtkSingleScatteringReference reads of its inputs, and when.
-#include "vtkMediumReferenceRange.h"
+#include "vtkMediumRange.h"
 #include "vtkSingleScatteringReferenceGathered.h"
 
 #include "vtkParticipatingMedium.h"
@@ -105,7 +105,6 @@ std::string vtkSingleScatteringReference::GatherMedium()
     input, scalars, onCells, volume, this->Medium, this->Anisotropy);
   problem = problem.empty() ? this->Scene->Facts.GatherMask(input, this->MaskInput) : problem;
   problem = problem.empty() ? this->Scene->Facts.GatherCut(mapper, volume) : problem;
-  problem = problem.empty() ? vtkMediumCheckRange(this->Scene->Facts) : problem;
   if (problem.empty())
   {
     this->Scene->Content.Update(this->Scene->Facts);

@@ -123,6 +123,15 @@ const BadMedium BadMedia[] = {
       i.Medium->SetLengthUnit(1e-250);
     },
     { "LengthUnit", "1e-250", "1e+100" } },
+  { "ExtinctionOverflows",
+    [](I& i) {
+      i.Medium->SetExtinction(1e200);
+      i.Medium->SetDensityScale(1e150);
+      i.Medium->SetAlbedo(0);
+    },
+    { "extinction", "inf", "1e+150" } },
+  { "EmissionOverflows", [](I& i) { i.Medium->SetEmission(0, 0, 1e300); },
+    { "emission", "1e+300" } },
   { "BackAnisotropyOutOfRange",
     [](I& i) {
       i.Medium->SetPhaseFunctionToDoubleHenyeyGreenstein();

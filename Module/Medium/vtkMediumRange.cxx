@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkMediumReferenceRange.h"
+#include "vtkMediumRange.h"
 
 #include "vtkMediumGaussLegendre.h"
 #include "vtkMediumReferenceLight.h"
@@ -63,16 +63,18 @@ double LargestExtinction(const vtkMediumScene::Medium& content)
 }
 
 //------------------------------------------------------------------------------
-std::string Check(const std::string& what, double value, double length)
+std::string Check(const vtkMediumScene& scene, const char* what, double value)
 {
+  const double length = scene.Geometry.Length;
   std::ostringstream problem;
   if (!(value <= Largest && value * length <= Largest))
   {
     problem << "The medium's " << what << " reaches " << value
-            << " per world unit, which over the volume's diagonal of " << length
-            << " world units is more than the reference's doubles can say (" << Largest
-            << "); make it smaller by its scale or the medium's DensityScale, or the volume by its "
-               "spacing.";
+            << " per world unit (with a density of " << scene.Content.DensityScale
+            << "), which over the volume's diagonal of " << length
+            << " world units is more than doubles can say (" << Largest
+            << "); make it smaller by its scale, the medium's DensityScale or the property's "
+               "ScalarOpacityUnitDistance, or the volume by its spacing.";
   }
   return problem.str();
 }
@@ -82,12 +84,10 @@ std::string Check(const std::string& what, double value, double length)
 std::string vtkMediumCheckRange(const vtkMediumScene& scene)
 {
   const vtkMediumScene::Medium& content = scene.Content;
-  const std::string problem =
-    Check("extinction", LargestExtinction(content), scene.Geometry.Length);
+  const std::string problem = Check(scene, "extinction", LargestExtinction(content));
   return !problem.empty()
     ? problem
-    : Check("emission", content.DensityScale * LargestOf(content, content.Emission),
-        scene.Geometry.Length);
+    : Check(scene, "emission", content.DensityScale * LargestOf(content, content.Emission));
 }
 
 //------------------------------------------------------------------------------
@@ -106,9 +106,8 @@ std::string vtkMediumCheckRangeOfLights(const vtkMediumScene& scene)
     problem << "An extinction of up to " << extinction
             << " per world unit scatters an irradiance of up to " << light
             << " (at a light itself, by its attenuation values); over the volume's diagonal of "
-            << scene.Geometry.Length
-            << " world units that is more than the reference's doubles can say (" << Largest
-            << "); give the lights a lesser intensity or larger attenuation values.";
+            << scene.Geometry.Length << " world units that is more than doubles can say ("
+            << Largest << "); give the lights a lesser intensity or larger attenuation values.";
   }
   return problem.str();
 }
