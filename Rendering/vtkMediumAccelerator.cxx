@@ -249,7 +249,20 @@ void vtkMediumAccelerator::Deactivate()
 }
 
 //------------------------------------------------------------------------------
-void vtkMediumAccelerator::ReleaseGraphicsResources(vtkWindow* window)
+void vtkMediumAccelerator::ReleaseUnread(const vtkMediumPlan& plan, bool dark)
+{
+  if (!plan.UseBricks)
+  {
+    this->ReleaseGraphicsResources(this->Window);
+  }
+  else if (plan.CachedLights == 0 && (plan.Lit || dark))
+  {
+    this->ReleaseCaches(this->Window);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMediumAccelerator::ReleaseCaches(vtkWindow* window)
 {
   for (auto& texture : this->CacheTextures)
   {
@@ -259,6 +272,12 @@ void vtkMediumAccelerator::ReleaseGraphicsResources(vtkWindow* window)
     }
   }
   this->CacheTextures.clear();
+}
+
+//------------------------------------------------------------------------------
+void vtkMediumAccelerator::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->ReleaseCaches(window);
   this->TileTexture->ReleaseGraphicsResources(window);
   this->EmptyTexture->ReleaseGraphicsResources(window);
 }
@@ -266,12 +285,15 @@ void vtkMediumAccelerator::ReleaseGraphicsResources(vtkWindow* window)
 //------------------------------------------------------------------------------
 vtkTypeInt64 vtkMediumAccelerator::GetBytes() const
 {
-  vtkTypeInt64 bytes = 0;
+  auto count = [](vtkTextureObject* texture, std::size_t bytes) {
+    const vtkTypeInt64 texels = vtkTypeInt64(texture->GetWidth()) * texture->GetHeight() *
+      std::max(texture->GetDepth(), 1u) * texture->GetComponents();
+    return texture->GetHandle() ? texels * static_cast<vtkTypeInt64>(bytes) : 0;
+  };
+  vtkTypeInt64 bytes = count(this->TileTexture, sizeof(float)) + count(this->EmptyTexture, 1);
   for (const auto& texture : this->CacheTextures)
   {
-    const glm::ivec3 size = this->GridFold.GetSize();
-    bytes += static_cast<vtkTypeInt64>(size.x) * size.y * size.z * texture->GetComponents() *
-      sizeof(std::uint16_t);
+    bytes += count(texture, sizeof(std::uint16_t));
   }
   return bytes;
 }

@@ -51,6 +51,9 @@ public:
   /// Binds the textures and tells the program where they are.
   void Activate(vtkShaderProgram* program, const vtkMediumPlan& plan);
   void Deactivate();
+  /// Gives back the textures of an integrator that is not in use, and light caches that no frame of the plan's
+  /// scene can use; `dark`: there are no lights. What they were made from is kept.
+  void ReleaseUnread(const vtkMediumPlan& plan, bool dark);
   void ReleaseGraphicsResources(vtkWindow* window);
 
   /// Since creation.
@@ -72,6 +75,7 @@ private:
   void UploadEmptyBricks();
   bool UpdateCaches(const vtkMediumScene& scene, const vtkMediumPlan& plan);
   bool UploadGroup(int group, const vtkMediumPlan& plan);
+  void ReleaseCaches(vtkWindow* window);
 
   vtkOpenGLRenderWindow* Window = nullptr;
   vtkMediumSignature GridSignature;

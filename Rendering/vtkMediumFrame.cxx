@@ -27,6 +27,7 @@ std::string vtkMediumFrame::Begin(
   const unsigned int width = viewport.GetRays().x, height = viewport.GetRays().y;
   const int filter = viewport.PixelEdge > 1 ? vtkTextureObject::Linear : vtkTextureObject::Nearest;
   this->Framebuffer->SetContext(window);
+  this->ReleaseUnusedTargets();
   for (int set = 0; set < this->UsedSets; ++set)
   {
     for (int target = 0; target < this->UsedTargets; ++target)
@@ -222,10 +223,15 @@ std::vector<float> vtkMediumFrame::Read(int target)
 //------------------------------------------------------------------------------
 vtkTypeInt64 vtkMediumFrame::GetBytes() const
 {
-  const glm::ivec2 rays = this->View.GetRays();
-  const vtkTypeInt64 pixels = static_cast<vtkTypeInt64>(rays.x) * rays.y;
-  const vtkTypeInt64 targets = this->UsedSets * this->UsedTargets;
-  return pixels * targets * 4 * static_cast<vtkTypeInt64>(sizeof(float)) + this->Depth.GetBytes();
+  vtkTypeInt64 pixels = 0;
+  for (const auto& set : this->Textures)
+  {
+    for (const auto& texture : set)
+    {
+      pixels += texture->GetHandle() ? vtkTypeInt64(texture->GetWidth()) * texture->GetHeight() : 0;
+    }
+  }
+  return pixels * 4 * static_cast<vtkTypeInt64>(sizeof(float)) + this->Depth.GetBytes();
 }
 
 //------------------------------------------------------------------------------

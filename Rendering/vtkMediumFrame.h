@@ -146,6 +146,7 @@ private:
   std::string CheckTargets();
   void BindTargets(int set);
   void ClearTargets(int set);
+  void ReleaseUnusedTargets();
 
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   vtkNew<vtkTextureObject> Textures[2][Targets];

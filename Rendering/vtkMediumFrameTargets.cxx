@@ -61,3 +61,19 @@ void vtkMediumFrame::ClearTargets(int set)
     glClearBufferfv(GL_COLOR, target, clear[target]);
   }
 }
+
+//------------------------------------------------------------------------------
+// Those that carry a march from draw to draw are as large as the rest together.
+void vtkMediumFrame::ReleaseUnusedTargets()
+{
+  for (int set = 0; set < 2; ++set)
+  {
+    for (int target = 0; target < Targets; ++target)
+    {
+      if (set >= this->UsedSets || target >= this->UsedTargets)
+      {
+        this->Textures[set][target]->ReleaseGraphicsResources(this->Window);
+      }
+    }
+  }
+}

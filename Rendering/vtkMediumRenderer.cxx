@@ -83,6 +83,7 @@ std::string vtkMediumRenderer::Draw(const Request& request, vtkMediumStatistics*
   const bool complete = refusal.empty() && this->Frame.IsComplete();
   if (complete)
   {
+    this->ReleaseUnread(request, draft);
     this->CountWork(plan, statistics);
   }
   if (complete && this->Economy.Hurried)

@@ -120,6 +120,7 @@ private:
   std::string Integrate(vtkMediumFrame& frame, const vtkMediumPlan& plan,
     const vtkMediumFrame::Progress& progress = {});
   static vtkMediumPlan::Capabilities FindCapabilities();
+  void ReleaseUnread(const Request& request, const vtkMediumPlan& draft);
   void CountWork(const vtkMediumPlan& plan, vtkMediumStatistics* statistics);
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;

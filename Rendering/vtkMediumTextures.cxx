@@ -222,6 +222,7 @@ void vtkMediumTextures::UpdateLights(const std::vector<vtkMediumScene::Light>& l
   }
   if (texels.empty() || (this->LightTable->GetHandle() && texels == this->LightTexels))
   {
+    this->LightTexels = texels;
     return;
   }
   this->UploadTable(
@@ -320,6 +321,20 @@ void vtkMediumTextures::Deactivate()
 }
 
 //------------------------------------------------------------------------------
+void vtkMediumTextures::ReleaseUnread(const vtkMediumPlan& plan)
+{
+  if (this->LightTexels.empty())
+  {
+    this->LightTable->ReleaseGraphicsResources(this->Window);
+  }
+  while (this->Fields.size() > plan.Fields.size())
+  {
+    this->Fields.back()->Texture->ReleaseGraphicsResources(this->Window);
+    this->Fields.pop_back();
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkMediumTextures::ReleaseGraphicsResources(vtkWindow* window)
 {
   for (auto& field : this->Fields)
@@ -337,16 +352,18 @@ void vtkMediumTextures::ReleaseGraphicsResources(vtkWindow* window)
 //------------------------------------------------------------------------------
 vtkTypeInt64 vtkMediumTextures::GetBytes() const
 {
-  vtkTypeInt64 floats = this->LightTexels.size() + this->PhaseTexels.size();
-  floats += this->JitterTable->GetHandle() ? JitterSize * JitterSize : 0;
   vtkTypeInt64 bytes = 0;
   for (const auto& field : this->Fields)
   {
     bytes += field->Bytes;
   }
-  for (const vtkMediumFunction& function : this->Functions)
+  vtkTypeInt64 floats = 0;
+  for (vtkTextureObject* table : { this->FunctionTable.Get(), this->PrimitiveTable.Get(),
+         this->LightTable.Get(), this->PhaseTable.Get(), this->JitterTable.Get() })
   {
-    floats += (this->PrimitiveTable->GetHandle() ? 2 : 1) * 4 * function.GetSamples().size();
+    floats += table->GetHandle()
+      ? vtkTypeInt64(table->GetWidth()) * table->GetHeight() * table->GetComponents()
+      : 0;
   }
-  return bytes + floats * sizeof(float);
+  return bytes + floats * static_cast<vtkTypeInt64>(sizeof(float));
 }

@@ -37,6 +37,8 @@ public:
   void Activate(vtkShaderProgram* program, const vtkMediumPlan& plan);
   void Deactivate();
 
+  /// Gives back the fields that the plan does not read, and the table of no lights.
+  void ReleaseUnread(const vtkMediumPlan& plan);
   void ReleaseGraphicsResources(vtkWindow* window);
 
   int GetUploads() const { return this->Uploads; }
