@@ -132,6 +132,7 @@ struct PeeledScene : GlassScene
     : GlassScene(true)
   {
     this->Mapper->SetIntegrator(integrator);
+    this->Mapper->SetJitter(0); // Paper: each piece of a ray would have its own
     this->SetSteps(0.01, 0.05);
     this->Renderer->UseDepthPeelingForVolumesOn();
     this->Renderer->SetMaximumNumberOfPeels(10);
@@ -248,8 +249,9 @@ TEST_P(PeeledVolumes, KeepTheShadowsOfOpaqueGeometry)
 }
 
 INSTANTIATE_TEST_SUITE_P(Translucent, PeeledVolumes,
-  testing::Values(vtkSingleScatteringVolumeMapper::FixedStep,
-    vtkSingleScatteringVolumeMapper::ErrorControlled, vtkSingleScatteringVolumeMapper::Exact));
+  testing::Values(vtkSingleScatteringVolumeMapper::Paper,
+    vtkSingleScatteringVolumeMapper::FixedStep, vtkSingleScatteringVolumeMapper::ErrorControlled,
+    vtkSingleScatteringVolumeMapper::Exact));
 
 TEST(Translucent, PeelingShowsRadianceInTheWindowOnly)
 {
