@@ -162,6 +162,7 @@ void OddSizes(Trial& trial)
 void Released(Trial& trial)
 {
   FieldStage stage(trial, 8), other(trial, 8);
+  stage.AddBeam({ 0.2, -1, 0.1 }); // so that a table of lights is read
   const Picture first = stage.Render(), second = other.Render();
   vtkTypeInt64 bytes = 0; // from the first return on, which needs no probes any more
   for (int i = 0; i < 100; ++i)
