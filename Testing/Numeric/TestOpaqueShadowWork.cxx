@@ -185,7 +185,8 @@ TEST(OpaqueShadowWork, MapsAreDrawnWhenLightsPropsOrTheVolumeMove)
     EXPECT_EQ(scene.BuildsOf([&] { scene.Volume->SetPosition(0.1, 0, 0); }), 2);
     EXPECT_EQ(scene.BuildsOf([&] { scene.Mapper->SetOpaqueShadowResolution(500); }), 2);
     EXPECT_EQ(scene.BuildsOf([&] { scene.Mapper->OpaqueShadowsOff(); }), 0);
-    EXPECT_EQ(scene.BuildsOf([&] { scene.Mapper->OpaqueShadowsOn(); }), 2); // they had left the device
+    // Switched off, they left the device.
+    EXPECT_EQ(scene.BuildsOf([&] { scene.Mapper->OpaqueShadowsOn(); }), 2);
   }
 }
 
