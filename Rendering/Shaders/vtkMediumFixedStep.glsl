@@ -27,7 +27,7 @@ uniform float longestStretch;
 // the medium before it and grows with the cube of its length.
 int fixedStepStretch(SPECTRUM before)
 {
-  float seen = SPECTRUM_MEAN(transmittance(before));
+  float seen = max(SPECTRUM_MEAN(transmittance(before)), 1.0e-30); // a power of 0 is undefined
   return int(min(pow(seen, -eyeStretch), longestStretch) + 1.0e-3);
 }
 
