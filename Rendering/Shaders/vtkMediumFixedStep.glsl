@@ -4,14 +4,6 @@
 // FixedStep: midpoint marching along the eye ray with a closed form in each segment, and along a light
 // ray from each midpoint. Second order in both steps where the medium is smooth.
 
-// Segments in an iteration of the march. Where a segment needs no loop of its own, four an iteration cost
-// software renderers less. Written out, not looped, for the reason that LightSteps gives.
-#ifdef MARCHED_LIGHT
-#define EYE_SEGMENTS 1
-#else
-#define EYE_SEGMENTS 4
-#endif
-
 // What a march has behind it. Optical depths are summed in blocks, so that rounding does not build up.
 struct March
 {
@@ -93,14 +85,8 @@ void fixedStepGoOn(EyeRay ray, KeptSteps steps, int i, int stretch, SPECTRUM dep
 #endif
 }
 
-// Eye rays of the pixel, with this one.
 #ifdef ONLY_ROUGH
-#define EYE_RAYS 2.0
-#else
-#define EYE_RAYS 1.0
-#endif
-
-#ifdef ONLY_ROUGH
+#define EYE_RAYS 2.0 // of the pixel, with this one
 uniform float pixelTolerance; // radiance
 
 // Whether the pixel is integrated anew; if so, it begins anew with the first draw.
@@ -114,6 +100,8 @@ bool fixedStepBeginsRough(inout FrameState state)
   }
   return rough;
 }
+#else
+#define EYE_RAYS 1.0
 #endif
 
 void main()
@@ -142,7 +130,9 @@ void main()
     int i = march.next;
     int stretch = keptJoined(fixedStepStretch(march.blocks + march.block));
     SPECTRUM depth = fixedStepTake(ray, steps, stretch, last, march, state);
-#if EYE_SEGMENTS == 4
+#ifndef MARCHED_LIGHT
+    // Where a segment needs no loop of its own, four an iteration cost software renderers less. Written out,
+    // not looped, for the reason that LightSteps gives.
     depth += fixedStepTake(ray, steps, stretch, last, march, state);
     depth += fixedStepTake(ray, steps, stretch, last, march, state);
     depth += fixedStepTake(ray, steps, stretch, last, march, state);
