@@ -29,6 +29,16 @@ int CountChannels(const glm::ivec2& lights, bool roughness)
   const int count = (lights.y - lights.x) * (roughness ? 2 : 1);
   return count == 3 ? 4 : count;
 }
+
+//------------------------------------------------------------------------------
+// The lattice points that look-ups where there is extinction can meet. A light ray that leaves them finds the
+// value of the face that it left through: behind that face nothing is in its way.
+vtkMediumLatticePart FindCachedPart(const vtkMediumExtinctionGrid& grid)
+{
+  const vtkMediumLatticePart& occupied = grid.GetOccupiedPart();
+  return occupied.IsEmpty() ? vtkMediumLatticePart{ glm::ivec3(0), glm::ivec3(1) }
+                            : occupied.Grow(1, grid.GetDimensions());
+}
 }
 
 //------------------------------------------------------------------------------
@@ -50,7 +60,8 @@ std::string vtkMediumAccelerator::Update(
     this->BrickSignature = occupancy;
     ++this->BrickBuilds;
   }
-  this->GridFold = vtkMediumFold(this->Grid.GetDimensions(), plan.LargestTexture);
+  this->CachedPart = FindCachedPart(this->Grid);
+  this->GridFold = vtkMediumFold(this->CachedPart.GetSize(), plan.LargestTexture);
   this->BrickFold = vtkMediumFold(this->Bricks.GetCount(), plan.LargestTexture);
   this->UploadEmptyBricks();
   if (plan.CachedLights > 0 && !this->UpdateCaches(scene, plan))
@@ -147,20 +158,12 @@ bool vtkMediumAccelerator::UploadGroup(int group, const vtkMediumPlan& plan)
 {
   const glm::ivec2 lights = LightsOf(group, plan);
   const int channels = CountChannels(lights, plan.CacheRoughness);
-  std::vector<std::uint16_t> texels(this->Grid.GetValues().size() * channels);
+  std::vector<std::uint16_t> texels(this->CachedPart.GetNumberOfPoints() * channels);
   for (int number = lights.x; number < lights.y; ++number)
   {
-    const vtkMediumLightCache& cache = this->Lights[number]->Cache;
-    if (plan.CacheRoughness)
-    {
-      cache.PackWithRoughness(
-        this->CachedDensityScale, texels.data() + 2 * (number - lights.x), channels);
-    }
-    else
-    {
-      cache.PackTransmittance(
-        this->CachedDensityScale, true, texels.data() + number - lights.x, channels);
-    }
+    const int channel = (number - lights.x) * (plan.CacheRoughness ? 2 : 1);
+    this->Lights[number]->Cache.Pack(this->CachedDensityScale, this->CachedPart,
+      plan.CacheRoughness, texels.data() + channel, channels);
   }
   static const unsigned int formats[5] = { 0, GL_R16F, GL_RG16F, GL_RGBA16F, GL_RGBA16F };
   if (!this->CacheTextures[group])
@@ -231,8 +234,9 @@ void vtkMediumAccelerator::Activate(vtkShaderProgram* program, const vtkMediumPl
   {
     activate(this->CacheTextures[group], "lightCaches[" + std::to_string(group) + ']');
   }
+  const glm::dvec3 first(this->CachedPart.Begin);
   vtkMediumSetLatticeUniforms(program, { "lightCacheScale", "lightCacheBias", "lightCacheFold" },
-    this->GridFold, this->Grid.GetLower(), this->Grid.GetUpper(), plan.Folded);
+    this->GridFold, this->Grid.GetLower() - first, this->Grid.GetUpper() - first, plan.Folded);
   program->SetUniformi("lightLookUpEvery", plan.LightLookUpEvery);
   program->SetUniformf("pixelTolerance", static_cast<float>(plan.PixelTolerance));
   program->SetUniformf("lightTolerance", static_cast<float>(plan.LightTolerance));

@@ -84,8 +84,9 @@ private:
   vtkMediumExtinctionGrid Grid;
   vtkMediumBricks Bricks;
   vtkMediumEmptyBricks EmptyBricks;
-  vtkMediumFold GridFold;  ///< how light caches lie in their textures
-  vtkMediumFold BrickFold; ///< and the reaches of empty bricks
+  vtkMediumLatticePart CachedPart; ///< of the lattice; beyond it nothing is looked up
+  vtkMediumFold GridFold;          ///< how light caches lie in their textures
+  vtkMediumFold BrickFold;         ///< and the reaches of empty bricks
   std::vector<std::unique_ptr<CachedLight>> Lights;
   std::vector<vtkSmartPointer<vtkTextureObject>> CacheTextures;
   int CachedLights = 0;           ///< as uploaded

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace
@@ -287,17 +288,34 @@ void vtkMediumExtinctionGrid::FindStatistics()
     float Minimum = std::numeric_limits<float>::infinity();
     float Maximum = -std::numeric_limits<float>::infinity();
     vtkIdType Occupied = 0;
+    glm::ivec3 First{ std::numeric_limits<int>::max() }, Last{ -1 };
   };
+  const glm::ivec3 n = this->Dimensions;
   vtkSMPThreadLocal<Share> shares;
-  const vtkIdType count = static_cast<vtkIdType>(this->Values.size());
-  vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
+  vtkSMPTools::For(0, static_cast<vtkIdType>(n.y) * n.z, [&](vtkIdType begin, vtkIdType end) {
     Share share = shares.Local();
-    for (vtkIdType i = begin; i < end; ++i)
+    for (vtkIdType row = begin; row < end; ++row)
     {
-      const float value = this->Values[i];
-      share.Minimum = std::min(share.Minimum, value);
-      share.Maximum = std::max(share.Maximum, value);
-      share.Occupied += value != 0 ? 1 : 0;
+      const float* values = this->Values.data() + row * n.x;
+      const vtkIdType before = share.Occupied;
+      for (int i = 0; i < n.x; ++i)
+      {
+        share.Minimum = std::min(share.Minimum, values[i]);
+        share.Maximum = std::max(share.Maximum, values[i]);
+        share.Occupied += values[i] != 0 ? 1 : 0;
+      }
+      if (share.Occupied > before)
+      {
+        auto isOccupied = [](float value) { return value != 0; };
+        const glm::ivec3 at(0, static_cast<int>(row % n.y), static_cast<int>(row / n.y));
+        const auto first = std::find_if(values, values + n.x, isOccupied) - values;
+        const auto behind = std::find_if(std::reverse_iterator<const float*>(values + n.x),
+                              std::reverse_iterator<const float*>(values), isOccupied)
+                              .base() -
+          values;
+        share.First = glm::min(share.First, at + glm::ivec3(static_cast<int>(first), 0, 0));
+        share.Last = glm::max(share.Last, at + glm::ivec3(static_cast<int>(behind) - 1, 0, 0));
+      }
     }
     shares.Local() = share;
   });
@@ -307,10 +325,14 @@ void vtkMediumExtinctionGrid::FindStatistics()
     all.Minimum = std::min(all.Minimum, share.Minimum);
     all.Maximum = std::max(all.Maximum, share.Maximum);
     all.Occupied += share.Occupied;
+    all.First = glm::min(all.First, share.First);
+    all.Last = glm::max(all.Last, share.Last);
   }
   this->Minimum = all.Minimum;
   this->Maximum = all.Maximum;
-  this->OccupiedFraction = static_cast<double>(all.Occupied) / count;
+  this->OccupiedFraction = static_cast<double>(all.Occupied) / this->Values.size();
+  this->OccupiedPart =
+    all.Occupied > 0 ? vtkMediumLatticePart{ all.First, all.Last + 1 } : vtkMediumLatticePart();
 }
 
 //------------------------------------------------------------------------------

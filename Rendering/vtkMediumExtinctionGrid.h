@@ -20,6 +20,7 @@
 #ifndef vtkMediumExtinctionGrid_h
 #define vtkMediumExtinctionGrid_h
 
+#include "vtkMediumLatticePart.h"
 #include "vtkMediumScene.h"
 #include "vtkParticipatingMediaRenderingModule.h" // for the export macro
 
@@ -48,6 +49,8 @@ public:
   float GetMaximum() const { return this->Maximum; }
   /// The part of the values that are not 0.
   double GetOccupiedFraction() const { return this->OccupiedFraction; }
+  /// The smallest part that contains them; empty if there are none.
+  const vtkMediumLatticePart& GetOccupiedPart() const { return this->OccupiedPart; }
 
   std::size_t GetIndex(int i, int j, int k) const
   {
@@ -96,6 +99,7 @@ private:
   float Minimum = 0;
   float Maximum = 0;
   double OccupiedFraction = 0;
+  vtkMediumLatticePart OccupiedPart;
   std::vector<float> Values;
   glm::dmat3 LatticeToLocalAxes{ 1 };
   glm::dmat3 LocalToLatticeAxes{ 1 };

@@ -20,13 +20,13 @@
  *
  * @par Prefiltering
  * A trilinear lookup of S = exp(-tau) errs by 1/8 of the sum of its second differences at most, and by
- * 1/12 of them on average over a cell, always to the same side. PackTransmittance takes that mean error
- * off in advance, so that what is left averages out along a ray. The result may be a little outside of
- * [0, 1].
+ * 1/12 of them on average over a cell, always to the same side. That mean error is taken off in advance,
+ * so that what is left averages out along a ray. The result may be a little outside of [0, 1].
  *
  * @par Roughness
  * How far a lookup may err is a lattice function too: 1/8 of the sum of the magnitudes of the second
- * differences, and 1 where nothing is known. A shader that reads it beside the transmittance sums what the
+ * differences, and 1 where nothing is known. (On the faces of the lattice those across them are the next
+ * ones inside.) A shader that reads it beside the transmittance sums what the
  * look-ups of a pixel may err by (Shaders/vtkMediumLightCache.glsl); where that is too much, another marches
  * each light ray until its cache can be trusted (Shaders/vtkMediumLightMarchToCache.glsl).
  */
@@ -34,6 +34,7 @@
 #define vtkMediumLightCache_h
 
 #include "vtkMediumExtinctionGrid.h"
+#include "vtkMediumLatticePart.h"
 #include "vtkMediumScene.h"
 #include "vtkParticipatingMediaRenderingModule.h" // for the export macro
 
@@ -63,18 +64,16 @@ public:
   /// Optical depths in the order of the grid's values.
   const std::vector<float>& GetOpticalDepths() const { return this->Depths; }
 
-  /// Writes the transmittance exp(-densityScale tau), prefiltered unless told otherwise, as half
-  /// floats: target[i * stride] for lattice point i.
-  void PackTransmittance(
-    double densityScale, bool prefilter, std::uint16_t* target, std::size_t stride = 1) const;
+  /// Writes the prefiltered transmittance exp(-densityScale tau) of a part of the lattice as half floats,
+  /// target[i * stride] for its point i, x fastest, and right after each its roughness if asked for.
+  void Pack(double densityScale, const vtkMediumLatticePart& part, bool withRoughness,
+    std::uint16_t* target, std::size_t stride) const;
 
-  /// The prefiltered transmittance, and the roughness right after it: target[i * stride] and
-  /// target[i * stride + 1].
-  void PackWithRoughness(double densityScale, std::uint16_t* target, std::size_t stride = 2) const;
-
+  ///@{
   /// The same as floats, one for each lattice point.
-  std::vector<float> GetTransmittance(double densityScale, bool prefilter) const;
+  std::vector<float> GetTransmittance(double densityScale) const;
   std::vector<float> GetRoughness(double densityScale) const;
+  ///@}
 
   /// How often Build ran, since creation.
   int GetNumberOfBuilds() const { return this->Builds; }
@@ -82,17 +81,9 @@ public:
   long long GetNumberOfMarches() const { return this->Marches; }
 
 private:
-  /// What is made of a point and the sum of its second differences, or of their magnitudes.
-  enum Filters
-  {
-    Plain,
-    Prefiltered,
-    Roughness,
-  };
-
-  void FilterSlices(double densityScale, Filters filter, int begin, int end, float* target) const;
-  void Pack(double densityScale, Filters filter, std::uint16_t* target, std::size_t stride) const;
-  std::vector<float> Get(double densityScale, Filters filter) const;
+  template <typename Write>
+  void FilterSlices(double densityScale, const vtkMediumLatticePart& part, int begin, int end,
+    const Write& write) const;
 
   double Tolerance = 0.5 / 255;
   bool Slabs = false;

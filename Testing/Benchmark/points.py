@@ -23,7 +23,7 @@ LIGHT_METHODS = ("marched", "looked up", "marched to its cache", "in closed form
 STAGES = ("Gather", "Upload", "Build", "Calibrate", "Compile", "Integrate", "Frame")
 #: Of the binary field, whose values between voxels are interpolated: where Paper's medium begins.
 THRESHOLD = 0.5
-EXTINCTION = {"smooth": 8, "cloud": 20, "binary": 8, "CT": 40}
+EXTINCTION = {"smooth": 8, "cloud": 20, "faded-cloud": 20, "binary": 8, "CT": 40}
 #: Elevation 45 degrees, along no diagonal of the lattice.
 LIGHT = (0.6, 1, 0.8)
 #: Milliseconds of a cold frame beyond which a moved camera is timed once.

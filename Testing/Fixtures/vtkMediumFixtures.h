@@ -7,7 +7,9 @@
  * Each field is a density in [0, 1] over the unit box, given as a formula, so that it can be sampled
  * on any lattice and known between lattice points:
  * - Smooth: five Gaussian blobs; nothing is empty, every derivative is bounded;
- * - Cloud: fractal noise above a threshold inside a ball; about half is empty, slopes are finite;
+ * - Cloud: fractal noise above a threshold inside a ball that cuts it off: a jump at the ball, finite slopes
+ *   elsewhere; about half of the ball is empty;
+ * - FadedCloud: the same, but it fades to 0 towards the ball: all slopes are finite;
  * - Binary: 1 inside a torus, a ball and a thin rod, 0 elsewhere; every border is a jump.
  *
  * The seed shifts the noise and the blobs; equal seeds give equal fields.
@@ -41,11 +43,13 @@ enum Fields
   Smooth,
   Cloud,
   Binary,
+  FadedCloud,
 };
 
 inline const char* Name(Fields field)
 {
-  return field == Smooth ? "smooth" : field == Cloud ? "cloud" : "binary";
+  constexpr const char* names[] = { "smooth", "cloud", "binary", "faded-cloud" };
+  return names[field];
 }
 
 /// A number in [0, 1) from an index and a seed (the finaliser of MurmurHash3), for tests too.
@@ -110,6 +114,13 @@ inline double CloudDensity(const glm::dvec3& box, std::uint32_t seed)
   return std::min(std::max(1.6 * value, 0.0), 1.0);
 }
 
+inline double FadedCloudDensity(const glm::dvec3& box, std::uint32_t seed)
+{
+  const double falloff = std::max(1 - 4 * glm::dot(box - 0.5, box - 0.5), 0.0);
+  const double fade = std::min(4 * falloff, 1.0); // over an eighth of the radius
+  return fade * CloudDensity(box, seed);
+}
+
 inline double BinaryDensity(const glm::dvec3& box, std::uint32_t seed)
 {
   const glm::dvec3 p = box - 0.5;
@@ -122,9 +133,10 @@ inline double BinaryDensity(const glm::dvec3& box, std::uint32_t seed)
 
 inline double Density(Fields field, const glm::dvec3& box, std::uint32_t seed = 1)
 {
-  return field == Smooth ? SmoothDensity(box, seed)
-    : field == Cloud     ? CloudDensity(box, seed)
-                         : BinaryDensity(box, seed);
+  return field == Smooth  ? SmoothDensity(box, seed)
+    : field == Cloud      ? CloudDensity(box, seed)
+    : field == FadedCloud ? FadedCloudDensity(box, seed)
+                          : BinaryDensity(box, seed);
 }
 
 /// An image whose active scalars "density" are the field on `points` points, or on the cells between

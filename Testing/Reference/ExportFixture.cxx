@@ -4,7 +4,7 @@
 // Writes a procedural volume of vtkMediumFixtures.h as raw 32-bit floats, x fastest, so that other
 // renderers get the very same grid.
 //
-// usage: ExportFixture smooth|cloud|binary POINTS FILE
+// usage: ExportFixture smooth|cloud|binary|faded-cloud POINTS FILE
 
 #include "vtkMediumFixtures.h"
 
@@ -17,8 +17,8 @@ int main(int argc, char* argv[])
 {
   const std::string name = argc == 4 ? argv[1] : "";
   const int points = argc == 4 ? std::atoi(argv[2]) : 0;
-  for (const auto field :
-    { vtkMediumFixtures::Smooth, vtkMediumFixtures::Cloud, vtkMediumFixtures::Binary })
+  for (const auto field : { vtkMediumFixtures::Smooth, vtkMediumFixtures::Cloud,
+         vtkMediumFixtures::Binary, vtkMediumFixtures::FadedCloud })
   {
     if (name != vtkMediumFixtures::Name(field) || points < 2)
     {
@@ -35,6 +35,7 @@ int main(int argc, char* argv[])
     }
     return EXIT_SUCCESS;
   }
-  std::cerr << "usage: ExportFixture smooth|cloud|binary POINTS FILE, with at least 2 points\n";
+  std::cerr
+    << "usage: ExportFixture smooth|cloud|binary|faded-cloud POINTS FILE, with at least 2 points\n";
   return EXIT_FAILURE;
 }
