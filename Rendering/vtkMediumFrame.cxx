@@ -204,6 +204,19 @@ std::vector<float> vtkMediumFrame::Download(int target)
 }
 
 //------------------------------------------------------------------------------
+std::vector<float> vtkMediumFrame::DownloadBounds()
+{
+  const std::vector<float> marches =
+    this->UsedTargets == Targets ? this->Download(2) : std::vector<float>();
+  std::vector<float> bounds(marches.size() / 4);
+  for (std::size_t i = 0; i < bounds.size(); ++i)
+  {
+    bounds[i] = marches[4 * i + 3];
+  }
+  return bounds;
+}
+
+//------------------------------------------------------------------------------
 std::vector<float> vtkMediumFrame::Read(int target)
 {
   vtkTextureObject* texture = this->Textures[this->Result][target];

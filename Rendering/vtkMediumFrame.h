@@ -115,7 +115,9 @@ public:
   /// after one that was stopped.
   std::vector<float> DownloadRadiance() { return this->Download(0); }
   std::vector<float> DownloadHits() { return this->Download(1); }
-  /// The first of them where it is.
+  /// What the look-ups of light of each ray may err by, radiance; empty where that was not asked for.
+  std::vector<float> DownloadBounds();
+  /// The radiance where it is.
   vtkTextureObject* GetRadiance() { return this->Textures[this->Result][0]; }
   const Viewport& GetViewport() const { return this->View; }
   /// Draws that the last Integrate needed.

@@ -85,7 +85,7 @@ vtkMediumPlan::vtkMediumPlan(
     this->SplitIntoPasses(scene, settings, device);
   }
   this->ChooseProgram(scene, settings, device);
-  if (this->CacheRoughness && !this->OnlyRough)
+  if (this->CacheRoughness && !this->OnlyRough && std::isfinite(this->PixelTolerance))
   {
     Settings rough = settings;
     rough.OnlyRough = true;

@@ -138,7 +138,8 @@ public:
   bool QuickCaches = false; ///< light caches are built quickly rather than exactly
   bool CutCaches = false; ///< light caches are those of what a cut leaves, not of the whole volume
   bool CacheRoughness = false; ///< caches say by how much look-ups may err
-  double PixelTolerance = 0;   ///< with CacheRoughness: radiance that those of a pixel may err by
+  double PixelTolerance =
+    0; ///< with CacheRoughness: radiance that those of a pixel may err by; infinite: any
   /// With CacheRoughness: what integrates the pixels whose look-ups may err by more; drawn over this plan.
   std::shared_ptr<const vtkMediumPlan> Rough;
   bool OnlyRough = false;    ///< this is such a plan: light is marched until its cache is accurate

@@ -21,7 +21,6 @@ constexpr int MostProbes = 96;
 // The error of light caches is probed by pixels along each axis, in steps of voxels.
 constexpr int CacheProbes = 32;
 constexpr double CacheProbeStep = 1;
-constexpr double CacheProbeLightStep = 0.5;
 constexpr double LargestProbeStep = 1.0 / 64; // of the box's diagonal, where voxels are large
 }
 
@@ -68,12 +67,12 @@ std::string vtkMediumRenderer::FindStep(const Request& request,
     return integrate(pixels, light);
   };
   probes.InLight = [&](const vtkMediumStepControl::Light& light, double lightStep) {
-    const double length = std::min(voxel, LargestProbeStep);
     settings.StretchSteps = false; // programs that march light group the steps otherwise
-    settings.ControlledStep = CacheProbeStep * length;
-    settings.ControlledLightStep = lightStep > 0 ? lightStep : CacheProbeLightStep * length;
+    settings.ControlledStep = CacheProbeStep * std::min(voxel, LargestProbeStep);
+    settings.ControlledLightStep = lightStep;
     return integrate(glm::ivec2(CacheProbes), light);
   };
+  probes.Bounds = [&] { return this->Probe.DownloadBounds(); };
   this->StepControl.Calibrate(this->Scene, request.MaximumError, voxel, probes);
   if (!refusal.empty())
   {

@@ -4,18 +4,18 @@
  * @class vtkMediumStepControl
  * @brief Finds the longest step that keeps an image within an error.
  *
- * A few probe pixels are integrated at steps that halve, until what the last halving changed says that
- * the error is met: with changes d1 and then d2, the order shows in d1 / d2 and the error that is left
- * is about d2 / (d1 / d2 - 1) (Richardson). Probes miss the worst pixel of an image, so that more than
- * that is held against the error. It is an estimate, never a bound.
+ * A few probe pixels are integrated at steps that halve, until the error is met (vtkMediumStepSearch). Probes
+ * miss the worst pixel of an image, so that more than what they say is held against the error. It is an
+ * estimate, never a bound.
  *
  * The error of light caches does not shrink with the step. It is found by marching light rays for a few
- * probes. Where it leaves too little room, pixels whose look-ups may err by more are integrated anew, with
- * light rays that are marched until the caches are accurate enough, to a tolerance that is lowered until
- * there is room; where no tolerance does that, all light rays are marched to their ends. A light ray that is
- * marched to its cache has a step of its own: where it stops changes with the step, so it is marched to its
- * end to find that. The errors of steps and caches have nothing to do with each other: their squares are
- * added.
+ * probes, in steps that halve until they are accurate enough to judge look-ups by. Where look-ups leave too
+ * little room, pixels whose look-ups may err by more are integrated anew, with light rays that are marched
+ * until the caches are accurate enough, to a tolerance that is lowered until there is room; where no tolerance
+ * does that, all light rays are marched to their ends. How much of what they may err by look-ups do err by is
+ * seen in the probes, too. A light ray that is marched to its cache has the step that was found for rays
+ * marched to their ends: where it stops changes with the step. The errors of steps and caches have nothing to
+ * do with each other: their squares are added.
  *
  * No OpenGL: whoever calls it integrates the probes.
  */
@@ -25,6 +25,7 @@
 #include "vtkMediumPlan.h"
 #include "vtkMediumScene.h"
 #include "vtkMediumSignature.h"
+#include "vtkMediumStepSearch.h"
 #include "vtkParticipatingMediaRenderingModule.h" // for the export macro
 
 #include <functional>
@@ -43,7 +44,7 @@ public:
   };
 
   /// R, G, B, alpha of each probe pixel.
-  using Image = std::vector<float>;
+  using Image = vtkMediumStepSearch::Image;
 
   /// When light comes from the caches; their error is part of the estimate in any case.
   enum CacheUses
@@ -59,8 +60,11 @@ public:
     /// Integrates at a step, local units; light rays are marched in the same step.
     std::function<Image(const Light& light, double step)> InSteps;
     /// Integrates fewer pixels in fixed steps of the eye, so that only the way to the light makes a
-    /// difference; light rays are marched at a step, 0: a fixed one. Not asked for where Caches is Never.
+    /// difference; light rays are marched at a step, local units. Not asked for where Caches is Never.
     std::function<Image(const Light& light, double lightStep)> InLight;
+    /// What the look-ups of each of these pixels may err by, of radiance, once InLight has drawn them with
+    /// MarchThenLookUp. Not asked for where Caches is Never.
+    std::function<std::vector<float>()> Bounds;
     CacheUses Caches = Never;
   };
 
@@ -75,10 +79,6 @@ public:
 
   /// Forgets what was found, because the probes could not be drawn.
   void Forget();
-
-  /// The largest difference of two images of the same pixels: of radiance, as a fraction of the second's
-  /// peak, or of alpha, whichever is greater.
-  static double RelativeDifference(const Image& image, const Image& other);
 
   /// How light is to be found: the cheapest way whose error leaves room for that of the step.
   const Light& GetLight() const { return this->Lighting; }
@@ -101,18 +101,37 @@ private:
     double Error = 0;
   };
 
+  /// The range of steps, local units.
+  struct Range
+  {
+    double Coarsest, Finest;
+  };
+
+  /// Of the error, that look-ups may use up.
+  static constexpr double CacheShare = 0.75;
+  /// Of the error that light leaves to steps, that those of the eye may use up where those of light have
+  /// their own; the squares of both shares add up to 1.
+  static constexpr double EyeShare = 0.7;
+  /// The worst pixel against the worst probe of the fewer ones in which light is judged.
+  static constexpr double LightSafety = 2;
+
   void FindLight(double maximumError, const Probes& probes);
-  void FindSteps(double maximumError, double coarsest, double finest, const Probes& probes);
+  void March(double maximumError, const Probes& probes);
+  bool AreLookUpsAccurate(double maximumError, const Probes& probes);
+  bool FindTolerance(double maximumError, const Probes& probes);
+  std::vector<double> FindErrors(const Light& light, const Probes& probes) const;
+  static double FindPartOfBounds(
+    const std::vector<double>& errors, const std::vector<float>& bounds, double small);
+  void FindSteps(double maximumError, const Range& range, const Probes& probes);
 
   vtkMediumSignature Signature;
   std::vector<Calibration> Found; ///< of this signature, error and use of caches
   double MaximumError = 0;
   CacheUses Caches = Never;
   Light Lighting;
-  /// InLight with marched light rays, for this signature and eye; empty: not asked for yet.
-  Image Marched;
+  vtkMediumStepSearch Marched; ///< of light rays, in InLight, for this signature and eye
+  Image LookedUp;              ///< the same pixels by plain look-ups
   glm::dmat4 MarchedEye{ 0 };
-  double LookUpError = 0; ///< of plain look-ups, where Marched is known
   Calibration Current;
   int Calibrations = 0;
 };

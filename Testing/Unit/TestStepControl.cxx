@@ -47,20 +47,27 @@ Law Power(double factor, double order)
   };
 }
 
-// Caches that err by `lookUp`, and where light rays are marched up to a tolerance by `marched` of it, but
-// not by less than `least`.
-vtkMediumStepControl::Probes Caches(double lookUp, double marched, double least, int& asked)
+// Caches of which a pixel errs by `lookUp` where it may err by `bound`, and where its light rays are marched up
+// to a tolerance by `marched` of it, but not by less than `least`; all of the peak.
+struct CacheLaw
+{
+  double LookUp, Bound, Marched, Least;
+};
+
+vtkMediumStepControl::Probes Caches(const CacheLaw& law, int& asked)
 {
   vtkMediumStepControl::Probes probes = Marched(Power(1e-3, 2));
   probes.Caches = vtkMediumStepControl::WhereAccurate;
   probes.InLight = [=, &asked](const Light& light, double) {
     ++asked;
-    const double error = light.Method == vtkMediumPlan::LookUp ? lookUp
-      : light.Method == vtkMediumPlan::MarchThenLookUp
-      ? std::max(marched * light.Tolerance / Peak, least)
-      : 0;
+    const bool anew = law.Bound * Peak > light.PixelTolerance;
+    const double error = light.Method == vtkMediumPlan::March ? 0
+      : light.Method == vtkMediumPlan::MarchThenLookUp && anew
+      ? std::max(law.Marched * light.Tolerance / Peak, law.Least)
+      : law.LookUp;
     return Image{ float(Peak), float(Peak), float(Peak), 1, float(Peak * error), 0, 0, 1 };
   };
+  probes.Bounds = [=] { return std::vector<float>{ 0, float(law.Bound * Peak) }; };
   return probes;
 }
 }
@@ -240,64 +247,58 @@ TEST(StepControl, ChoosesTheCheapestLightThatIsAccurateEnough)
   const double maximum = 1.0 / 255;
   struct Case
   {
-    double LookUp, Marched, Least;
+    CacheLaw Law;
     vtkMediumPlan::LightMethods Expected;
   };
-  for (const Case& row :
-    { Case{ 0, 1, 0, vtkMediumPlan::LookUp }, Case{ 0.1 * maximum, 1, 0, vtkMediumPlan::LookUp },
-      Case{ 0.2 * maximum, 1, 0, vtkMediumPlan::MarchThenLookUp },
-      Case{ 2 * maximum, 0.01, 0, vtkMediumPlan::MarchThenLookUp },
-      Case{ 2 * maximum, 1, 0, vtkMediumPlan::MarchThenLookUp },
-      Case{ 2 * maximum, 1, maximum, vtkMediumPlan::March } })
+  for (const Case& row : { Case{ { 0, 0, 1, 0 }, vtkMediumPlan::LookUp },
+         Case{ { 0.1 * maximum, maximum, 1, 0 }, vtkMediumPlan::LookUp },
+         Case{ { 0.2 * maximum, 2 * maximum, 1, 0 }, vtkMediumPlan::MarchThenLookUp },
+         Case{ { 2 * maximum, 2 * maximum, 0.01, 0 }, vtkMediumPlan::MarchThenLookUp },
+         Case{ { 2 * maximum, 2 * maximum, 1, 0 }, vtkMediumPlan::MarchThenLookUp },
+         Case{ { 2 * maximum, 2 * maximum, 1, maximum }, vtkMediumPlan::March } })
   {
     vtkMediumStepControl control;
     int asked = 0;
-    vtkMediumStepControl::Probes probes = Caches(row.LookUp, row.Marched, row.Least, asked);
+    vtkMediumStepControl::Probes probes = Caches(row.Law, asked);
     control.Calibrate(MakeScene(), maximum, Voxel, probes);
     const Light& light = control.GetLight();
-    EXPECT_EQ(light.Method, row.Expected) << row.LookUp << ' ' << row.Marched;
+    EXPECT_EQ(light.Method, row.Expected) << row.Law.LookUp << ' ' << row.Law.Marched;
     EXPECT_LE(control.GetEstimatedError(), maximum * 1.001);
     EXPECT_GE(control.GetEstimatedError(), light.Error);
     if (light.Method == vtkMediumPlan::MarchThenLookUp)
     {
-      EXPECT_LE(row.Marched * light.Tolerance / Peak, maximum);
-      EXPECT_GE(light.Error, 0.005 * maximum * std::min(row.Marched, 1.0)) << "no waste";
+      EXPECT_LE(row.Law.Marched * light.Tolerance / Peak, maximum);
+      EXPECT_GE(light.Error, 0.005 * maximum * std::min(row.Law.Marched, 1.0)) << "no waste";
     }
 
     probes.Caches = vtkMediumStepControl::Always;
     control.Calibrate(MakeScene(), maximum, Voxel, probes);
     EXPECT_EQ(control.GetLight().Method, vtkMediumPlan::LookUp);
-    EXPECT_GE(control.GetEstimatedError(), row.LookUp) << "it says what always using them costs";
+    EXPECT_GE(control.GetEstimatedError(), row.Law.LookUp)
+      << "it says what always using them costs";
   }
 }
 
 //------------------------------------------------------------------------------
-// A lower tolerance of marched light rays does not help pixels whose light is looked up: more of them have to
-// be integrated anew.
-TEST(StepControl, IntegratesMorePixelsAnewWhereOthersErr)
+// Pixels whose look-ups err by more of what they may err by than is usual are integrated anew sooner.
+TEST(StepControl, IntegratesMorePixelsAnewWhereLookUpsErrMore)
 {
   const double maximum = 1.0 / 255;
-  for (double bounds : { 0.5, 1.0, 3.0, 10.0 }) // what pixels err by, of what their look-ups may
+  double before = 0;
+  for (double part : { 3.0, 1.0, 0.6, 0.01 })
   {
     vtkMediumStepControl control;
     int asked = 0;
-    vtkMediumStepControl::Probes probes = Caches(2, 1, 0, asked);
-    const auto marched = probes.InLight;
-    probes.InLight = [&](const Light& light, double lightStep) {
-      Image image = marched(light, lightStep);
-      if (light.Method == vtkMediumPlan::MarchThenLookUp)
-      {
-        image[4] = static_cast<float>(std::max(double(image[4]), bounds * light.PixelTolerance));
-      }
-      return image;
-    };
-    control.Calibrate(MakeScene(), maximum, Voxel, probes);
+    control.Calibrate(
+      MakeScene(), maximum, Voxel, Caches({ 3 * maximum, 3 * maximum / part, 0.1, 0 }, asked));
     const Light& light = control.GetLight();
     EXPECT_EQ(light.Method, vtkMediumPlan::MarchThenLookUp);
-    EXPECT_LE(bounds * light.PixelTolerance, maximum * Peak);
-    EXPECT_LE(light.Tolerance, maximum * Peak);
-    EXPECT_GE(light.PixelTolerance, 0.1 * maximum * Peak / std::max(bounds, 1.0)) << "no waste";
+    EXPECT_LT(part * light.PixelTolerance, maximum * Peak);
+    EXPECT_GT(light.PixelTolerance, 0.5 * maximum * Peak / std::max(part, 1.0)) << "no waste";
+    EXPECT_LE(light.PixelTolerance, 1.501 * maximum * Peak) << "not all of the probes' luck";
+    EXPECT_GE(light.PixelTolerance, before);
     EXPECT_LE(control.GetEstimatedError(), maximum * 1.001);
+    before = light.PixelTolerance;
   }
 }
 
@@ -306,15 +307,15 @@ TEST(StepControl, AsksForTheErrorOfLookUpsOnce)
 {
   vtkMediumStepControl control;
   int asked = 0;
-  const vtkMediumStepControl::Probes probes = Caches(0, 1, 0, asked);
+  const vtkMediumStepControl::Probes probes = Caches({ 0, 0, 1, 0 }, asked);
   control.Calibrate(MakeScene(), 1.0 / 255, Voxel, probes);
-  EXPECT_EQ(asked, 2) << "marched, and looked up";
+  EXPECT_EQ(asked, 4) << "marched in three steps, and looked up";
   control.Calibrate(MakeScene(), 0.5 / 255, Voxel, probes);
-  EXPECT_EQ(asked, 2) << "kept while content, lights and eye are the same";
+  EXPECT_EQ(asked, 4) << "kept while content, lights and eye are the same";
   vtkMediumScene turned = MakeScene();
   turned.Eye.LocalToClip[0][1] = 0.1;
   control.Calibrate(turned, 1.0 / 255, Voxel, probes);
-  EXPECT_EQ(asked, 4) << "another eye sees another image";
+  EXPECT_EQ(asked, 8) << "another eye sees another image";
 }
 
 //------------------------------------------------------------------------------
@@ -322,9 +323,9 @@ TEST(StepControl, AsksForTheErrorOfLookUpsOnce)
 TEST(StepControl, MeasuresAlphaByItself)
 {
   const Image dim = { 0.01f, 0.01f, 0.01f, 0.5f }, denser = { 0.01f, 0.01f, 0.01f, 0.501f };
-  EXPECT_NEAR(vtkMediumStepControl::RelativeDifference(denser, dim), 0.001, 1e-6);
+  EXPECT_NEAR(vtkMediumStepSearch::RelativeDifference(denser, dim), 0.001, 1e-6);
   const Image brighter = { 0.0101f, 0.01f, 0.01f, 0.5f };
-  EXPECT_NEAR(vtkMediumStepControl::RelativeDifference(brighter, dim), 0.01, 1e-6);
+  EXPECT_NEAR(vtkMediumStepSearch::RelativeDifference(brighter, dim), 0.01, 1e-6);
   const Image dark = { 0, 0, 0, 0.5f }, black = { 0, 0, 0, 0.6f };
-  EXPECT_NEAR(vtkMediumStepControl::RelativeDifference(black, dark), 0.1, 1e-6);
+  EXPECT_NEAR(vtkMediumStepSearch::RelativeDifference(black, dark), 0.1, 1e-6);
 }
