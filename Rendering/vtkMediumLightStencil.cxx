@@ -59,6 +59,7 @@ void vtkMediumLightStencil::Build(
       last = std::min(last, (n[axis] - (grid.IsOnCells() ? 0.5 : 1)) / std::abs(step[axis]));
     }
   }
+  this->StepYZ = glm::dvec2(step.y, step.z);
 
   this->SlabPlanes = 0;
   if (slabs)

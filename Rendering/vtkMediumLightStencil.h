@@ -12,6 +12,10 @@
  * the last one for cell arrays), so only offsets that land on an exit face are affected; each entry
  * carries the weight that remains of it there, for every combination of axes.
  *
+ * @par Order
+ * Rows are summed along rays, not in the order of the lattice, so that their sources stay in the
+ * processor's cache. The results are the same to the last bit.
+ *
  * @par Slabs
  * For a light that is being moved there is a faster form that is not exact: the stencil reaches only
  * over a slab of 8 to 24 lattice planes along y or z, and the optical depth where its rays end, in a
@@ -63,6 +67,7 @@ private:
 
   std::vector<Entry> Entries;        ///< sorted by z, y, x
   int ExitPlane[3] = { -1, -1, -1 }; ///< lattice index of the exit face along each axis; -1: none
+  glm::dvec2 StepYZ{ 0 };            ///< towards the light, in lattice steps a local unit of length
   int SlabPlanes = 0;
   int SlabAxis = 2;           ///< 1 or 2
   glm::dvec2 SlabOffset{ 0 }; ///< how far rays get across a slab, along x and the other of y and z
