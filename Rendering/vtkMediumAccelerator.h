@@ -7,6 +7,9 @@
  * Bricks say which part of an eye ray can meet anything; light caches turn a light ray into one look-up.
  * Both are built on the CPU, from the extinction grid, and kept by signature: a camera move rebuilds
  * neither, a light's colour rebuilds neither, a light's pose rebuilds its own cache only.
+ *
+ * While a light is dragged its cache is built over a lattice of half the points along each axis, which costs
+ * a sixteenth; what the other lights have on the fine one is kept for when there is time.
  */
 #ifndef vtkMediumAccelerator_h
 #define vtkMediumAccelerator_h
@@ -16,15 +19,13 @@
 #include "vtkMediumEmptyBricks.h"
 #include "vtkMediumExtinctionGrid.h"
 #include "vtkMediumFold.h"
-#include "vtkMediumLightCache.h"
+#include "vtkMediumLightCaches.h"
 #include "vtkMediumPlan.h"
 #include "vtkMediumSignature.h"
 
 #include "vtkNew.h"
-#include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -58,24 +59,15 @@ public:
 
   /// Since creation.
   int GetBrickBuilds() const { return this->BrickBuilds; }
-  int GetLightCacheBuilds() const { return this->LightCacheBuilds; }
-  int GetLightCacheUploads() const { return this->LightCacheUploads; }
+  int GetLightCacheBuilds() const { return this->Fine.GetBuilds() + this->Coarse.GetBuilds(); }
+  int GetLightCacheUploads() const { return this->Fine.GetUploads() + this->Coarse.GetUploads(); }
   const vtkMediumBricks& GetBricks() const { return this->Bricks; }
   vtkTypeInt64 GetBytes() const;
 
 private:
-  struct CachedLight
-  {
-    vtkMediumLightCache Cache;
-    vtkMediumScene::Light Pose;
-    bool Quick = false; ///< built by slabs, to be built anew when there is time
-  };
-
   void UpdateGrid(const vtkMediumScene& scene, const vtkMediumPlan& plan);
   void UploadEmptyBricks();
-  bool UpdateCaches(const vtkMediumScene& scene, const vtkMediumPlan& plan);
-  bool UploadGroup(int group, const vtkMediumPlan& plan);
-  void ReleaseCaches(vtkWindow* window);
+  std::string UpdateCaches(const vtkMediumScene& scene, const vtkMediumPlan& plan);
 
   vtkOpenGLRenderWindow* Window = nullptr;
   vtkMediumSignature GridSignature;
@@ -84,22 +76,18 @@ private:
   vtkMediumExtinctionGrid Grid;
   vtkMediumBricks Bricks;
   vtkMediumEmptyBricks EmptyBricks;
-  vtkMediumLatticePart CachedPart; ///< of the lattice; beyond it nothing is looked up
-  vtkMediumFold GridFold;          ///< how light caches lie in their textures
-  vtkMediumFold BrickFold;         ///< and the reaches of empty bricks
-  std::vector<std::unique_ptr<CachedLight>> Lights;
-  std::vector<vtkSmartPointer<vtkTextureObject>> CacheTextures;
-  int CachedLights = 0;           ///< as uploaded
-  bool CachedRoughness = false;   ///< as uploaded
-  double CachedDensityScale = -1; ///< as uploaded
+  vtkMediumFold BrickFold; ///< how the reaches of empty bricks lie in their texture
+  vtkMediumLightCaches Fine;
+  vtkMediumLightCaches Coarse;        ///< while lights are dragged
+  vtkMediumExtinctionGrid CoarseGrid; ///< of Coarse
+  bool CoarseGridIsCurrent = false;
+  bool UsesCoarse = false; ///< as updated last
   vtkNew<vtkTextureObject> TileTexture;
   vtkNew<vtkTextureObject> EmptyTexture;
   glm::ivec4 Scissor{ 0 };
   std::size_t BricksCutAway = 0;
   std::vector<vtkTextureObject*> Active;
   int BrickBuilds = 0;
-  int LightCacheBuilds = 0;
-  int LightCacheUploads = 0;
 };
 
 #endif

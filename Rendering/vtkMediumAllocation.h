@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkMediumAllocation.h
- * @brief Whether the device gave a texture its memory.
+ * @brief Whether the device gave a texture its memory, and how much that is.
  *
- * VTK says so in some versions and builds and only reports it in others; OpenGL knows.
+ * VTK says whether in some versions and builds and only reports it in others; OpenGL knows.
  */
 #ifndef vtkMediumAllocation_h
 #define vtkMediumAllocation_h
@@ -12,6 +12,8 @@
 #include "vtkMediumOpenGL.h"
 
 #include "vtkTextureObject.h"
+
+#include <algorithm>
 
 /// Of a texture that was just created.
 inline bool vtkMediumIsAllocated(vtkTextureObject* texture)
@@ -25,6 +27,14 @@ inline bool vtkMediumIsAllocated(vtkTextureObject* texture)
   {
   }
   return allocated;
+}
+
+/// Of a texture whose channels have so many bytes each; 0 where it has none on the device.
+inline vtkTypeInt64 vtkMediumBytesOf(vtkTextureObject* texture, std::size_t channelBytes)
+{
+  const vtkTypeInt64 channels = vtkTypeInt64(texture->GetWidth()) * texture->GetHeight() *
+    std::max(texture->GetDepth(), 1u) * texture->GetComponents();
+  return texture->GetHandle() ? channels * static_cast<vtkTypeInt64>(channelBytes) : 0;
 }
 
 #endif

@@ -64,6 +64,10 @@ public:
   /// lattice points is right to first order.)
   void CutAway(const vtkMediumCut& cut);
 
+  /// Takes over a grid of trilinear data with half the points along each axis, spread over the same box; values
+  /// are means of those around, weighted by their distance, so that optical depths along rays stay.
+  void BuildCoarser(const vtkMediumExtinctionGrid& fine);
+
   /// The interpolated value at a lattice coordinate, held constant outside the lattice.
   double Interpolate(const glm::dvec3& lattice) const;
 

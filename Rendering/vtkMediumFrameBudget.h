@@ -6,9 +6,9 @@
  *
  * A render window that is being interacted with wants frames at a rate, and hands each volume its share
  * of the time (vtkProp::GetAllocatedRenderTime); one at rest has all the time there is. In a hurry,
- * nothing is calibrated, light comes from the caches alone, directional caches are built by slabs, steps
- * are up to twice as long and pixels up to eight times as wide: just as much of it as the last frames
- * say is needed. Scattering stays on.
+ * nothing is calibrated, light comes from the caches alone, those of lights that moved have half the points
+ * along each axis, steps are up to twice as long and pixels up to eight times as wide: just as much of it as
+ * the last frames say is needed. Scattering stays on.
  *
  * The time of a frame is taken to be proportional to its samples. Estimates follow what was measured
  * slowly upwards and at once downwards, so that one slow frame (a compile, another program) does not

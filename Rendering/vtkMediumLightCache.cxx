@@ -13,10 +13,6 @@ constexpr int Reach = 2;
 // Rays a lattice step, for point lights. The rays cost as its square; the points that need one of
 // their own grow as it falls. Between 0.5, cheapest on smooth fields, and 1, cheapest on rough ones.
 constexpr double RayDensity = 0.75;
-
-// Slabs need all lattice points, the exact form only those near extinction > 0: below this part of the
-// lattice the exact form is the faster one.
-constexpr double LeastOccupiedForSlabs = 0.15;
 }
 
 //------------------------------------------------------------------------------
@@ -27,9 +23,8 @@ void vtkMediumLightCache::Build(
   this->Marches = 0;
   if (light.Type == vtkMediumScene::Light::Directional)
   {
-    const bool slabs = this->Slabs && grid.GetOccupiedFraction() > LeastOccupiedForSlabs;
     vtkMediumLightStencil stencil;
-    stencil.Build(grid, light.Direction, slabs);
+    stencil.Build(grid, light.Direction);
     stencil.Apply(grid, Reach, this->Depths);
   }
   else

@@ -50,11 +50,6 @@ public:
   void SetTolerance(double tolerance) { this->Tolerance = tolerance; }
   double GetTolerance() const { return this->Tolerance; }
 
-  /// Whether directional lights are built in the faster form by slabs (vtkMediumLightStencil), for
-  /// while a light is being moved. Default: off, exact.
-  void SetSlabs(bool slabs) { this->Slabs = slabs; }
-  bool GetSlabs() const { return this->Slabs; }
-
   /// Computes the optical depths anew.
   void Build(const vtkMediumExtinctionGrid& grid, const vtkMediumScene::Light& light);
 
@@ -86,7 +81,6 @@ private:
     const Write& write) const;
 
   double Tolerance = 0.5 / 255;
-  bool Slabs = false;
   glm::ivec3 Dimensions{ 0 };
   std::vector<float> Depths;
   int Builds = 0;

@@ -41,8 +41,7 @@ std::vector<double> Crossings(const glm::dvec3& step, int planes, double last)
 }
 
 //------------------------------------------------------------------------------
-void vtkMediumLightStencil::Build(
-  const vtkMediumExtinctionGrid& grid, const glm::dvec3& direction, bool slabs)
+void vtkMediumLightStencil::Build(const vtkMediumExtinctionGrid& grid, const glm::dvec3& direction)
 {
   glm::dvec3 step = -(grid.GetLocalToLatticeAxes() * direction); // lattice steps a local unit
   const double largest = std::max({ std::abs(step.x), std::abs(step.y), std::abs(step.z) });
@@ -61,43 +60,7 @@ void vtkMediumLightStencil::Build(
   }
   this->StepYZ = glm::dvec2(step.y, step.z);
 
-  this->SlabPlanes = 0;
-  if (slabs)
-  {
-    this->ChooseSlab(step, n);
-    last = this->SlabPlanes > 0 ? std::min(last, this->SlabPlanes / std::abs(step[this->SlabAxis]))
-                                : last;
-  }
   this->SumWeights(grid, step, last);
-}
-
-//------------------------------------------------------------------------------
-// The thickness of slabs whose rays end nearest to lattice points, an odd end costing least where it
-// is rare: least u(1-u) + v(1-v) a plane, for the fractions u and v of a lateral step.
-void vtkMediumLightStencil::ChooseSlab(const glm::dvec3& step, const glm::ivec3& n)
-{
-  const int axis = std::abs(step.y) > std::abs(step.z) ? 1 : 2, lateral = 3 - axis;
-  constexpr double LeastSlope = 0.25; // rays more along x than this cross few rows as it is
-  constexpr int Thinnest = 8, Thickest = 24;
-  if (std::abs(step[axis]) < LeastSlope * std::abs(step.x) || n[axis] < 2 * Thinnest)
-  {
-    return;
-  }
-  this->SlabAxis = axis;
-  double least = 1e300;
-  for (int planes = Thinnest; planes <= Thickest; ++planes)
-  {
-    const double x = planes * step.x / std::abs(step[axis]);
-    const double l = planes * step[lateral] / std::abs(step[axis]);
-    const double u = x - std::floor(x), v = l - std::floor(l);
-    const double cost = (u * (1 - u) + v * (1 - v) + 0.01) / planes;
-    if (cost < least)
-    {
-      least = cost;
-      this->SlabPlanes = planes;
-      this->SlabOffset = glm::dvec2(x, l);
-    }
-  }
 }
 
 //------------------------------------------------------------------------------

@@ -15,12 +15,6 @@
  * @par Order
  * Rows are summed along rays, not in the order of the lattice, so that their sources stay in the
  * processor's cache. The results are the same to the last bit.
- *
- * @par Slabs
- * For a light that is being moved there is a faster form that is not exact: the stencil reaches only
- * over a slab of 8 to 24 lattice planes along y or z, and the optical depth where its rays end, in a
- * plane done before, is interpolated by four-point Lagrange polynomials. The thickness is chosen so
- * that rays end near lattice points.
  */
 #ifndef vtkMediumLightStencil_h
 #define vtkMediumLightStencil_h
@@ -48,11 +42,7 @@ public:
   };
 
   /// Computes the entries for a light that travels along `direction` (local space, unit).
-  /// `slabs` chooses the faster form, where there is one for this direction.
-  void Build(const vtkMediumExtinctionGrid& grid, const glm::dvec3& direction, bool slabs = false);
-
-  /// Lattice planes a slab; 0: the stencil reaches through the whole grid and is exact.
-  int GetSlabPlanes() const { return this->SlabPlanes; }
+  void Build(const vtkMediumExtinctionGrid& grid, const glm::dvec3& direction);
 
   const std::vector<Entry>& GetEntries() const { return this->Entries; }
 
@@ -62,15 +52,11 @@ public:
   void Apply(const vtkMediumExtinctionGrid& grid, int reach, std::vector<float>& tau) const;
 
 private:
-  void ChooseSlab(const glm::dvec3& step, const glm::ivec3& n);
   void SumWeights(const vtkMediumExtinctionGrid& grid, const glm::dvec3& step, double last);
 
   std::vector<Entry> Entries;        ///< sorted by z, y, x
   int ExitPlane[3] = { -1, -1, -1 }; ///< lattice index of the exit face along each axis; -1: none
   glm::dvec2 StepYZ{ 0 };            ///< towards the light, in lattice steps a local unit of length
-  int SlabPlanes = 0;
-  int SlabAxis = 2;           ///< 1 or 2
-  glm::dvec2 SlabOffset{ 0 }; ///< how far rays get across a slab, along x and the other of y and z
 };
 
 #endif

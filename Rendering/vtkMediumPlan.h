@@ -53,7 +53,7 @@ public:
     double PixelTolerance = 0; ///< MarchThenLookUp: radiance that those of a pixel may err by
     bool OnlyRough = false;    ///< MarchThenLookUp: only the pixels whose look-ups may err by more
     bool StretchSteps = true;  ///< ErrorControlled: eye steps grow where little is seen of them
-    bool Hurried = false; ///< ErrorControlled: light caches are built quickly rather than exactly
+    bool Hurried = false;      ///< ErrorControlled: caches of lights that moved may be coarse
     double ControlledLightStep = 0; ///< ErrorControlled: of marched light rays; 0: the eye's
     double ControlledStep =
       0; ///< ErrorControlled: the step that was found, local units; 0: a voxel
@@ -135,7 +135,7 @@ public:
   bool UseTiles = false;     ///< eye rays keep to the tiles that bricks were projected to
   bool LeapEyeSteps = false; ///< and leap the empty bricks between; light rays always do
   int CachedLights = 0; ///< the first so many lights have a light cache; 0: light rays are marched
-  bool QuickCaches = false; ///< light caches are built quickly rather than exactly
+  bool QuickCaches = false; ///< caches of lights that moved may be coarse
   bool CutCaches = false; ///< light caches are those of what a cut leaves, not of the whole volume
   bool CacheRoughness = false; ///< caches say by how much look-ups may err
   double PixelTolerance =

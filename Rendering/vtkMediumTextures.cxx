@@ -357,13 +357,10 @@ vtkTypeInt64 vtkMediumTextures::GetBytes() const
   {
     bytes += field->Bytes;
   }
-  vtkTypeInt64 floats = 0;
   for (vtkTextureObject* table : { this->FunctionTable.Get(), this->PrimitiveTable.Get(),
          this->LightTable.Get(), this->PhaseTable.Get(), this->JitterTable.Get() })
   {
-    floats += table->GetHandle()
-      ? vtkTypeInt64(table->GetWidth()) * table->GetHeight() * table->GetComponents()
-      : 0;
+    bytes += vtkMediumBytesOf(table, sizeof(float));
   }
-  return bytes + floats * static_cast<vtkTypeInt64>(sizeof(float));
+  return bytes;
 }

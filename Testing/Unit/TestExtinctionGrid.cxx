@@ -346,25 +346,3 @@ TEST(ExtinctionGrid, CutAwayLeavesTheShareOfEachVoxelThatIsKept)
   EXPECT_NEAR(sum / kept, 1, 0.01);
   EXPECT_LT(left.GetOccupiedFraction(), 0.8 * whole.GetOccupiedFraction());
 }
-
-//------------------------------------------------------------------------------
-TEST(ExtinctionGrid, KnowsThePartThatIsNotEmpty)
-{
-  const auto image = MakeImage(Smooth, Points, Size);
-  vtkDataArray* values = image->GetPointData()->GetScalars();
-  values->Fill(0);
-  vtkMediumExtinctionGrid grid;
-  grid.Build(MakeScene(image, 5, false));
-  EXPECT_TRUE(grid.GetOccupiedPart().IsEmpty());
-  for (const glm::ivec3& at : { glm::ivec3(2, 8, 3), glm::ivec3(7, 1, 10) })
-  {
-    values->SetTuple1(at.x + Points.x * (at.y + Points.y * at.z), 1);
-  }
-  values->Modified();
-  grid.Build(MakeScene(image, 5, false));
-  EXPECT_EQ(grid.GetOccupiedPart().Begin, glm::ivec3(2, 1, 3));
-  EXPECT_EQ(grid.GetOccupiedPart().End, glm::ivec3(8, 9, 11));
-  const vtkMediumLatticePart grown = grid.GetOccupiedPart().Grow(2, Points);
-  EXPECT_EQ(grown.Begin, glm::ivec3(0, 0, 1));
-  EXPECT_EQ(grown.End, glm::ivec3(10, 9, 11));
-}

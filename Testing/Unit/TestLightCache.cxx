@@ -224,6 +224,35 @@ TEST(LightCache, RoughnessIsOneWhereNothingIsKnown)
 }
 
 //------------------------------------------------------------------------------
+// For while a light is dragged.
+TEST(LightCache, OverHalfThePointsStaysCloseInSmoothMedia)
+{
+  for (bool onCells : { false, true })
+  {
+    const glm::ivec3 points(64, 57, 60);
+    vtkMediumExtinctionGrid grid, coarse;
+    grid.Build(MakeScene(MakeImage(Smooth, points, Size, onCells), Sigma, onCells));
+    coarse.BuildCoarser(grid);
+    for (const Light& light : { MakeDirectional({ 1, -0.4, 0.7 }), MakePoint({ 0.1, 0.6, 0.2 }) })
+    {
+      vtkMediumLightCache cache;
+      cache.Build(coarse, light);
+      const std::vector<float> transmittance = cache.GetTransmittance(1);
+      double worst = 0;
+      for (std::uint32_t i = 0; i < 1000; ++i)
+      {
+        const glm::dvec3 unit(Random(3 * i, 41), Random(3 * i + 1, 41), Random(3 * i + 2, 41));
+        const glm::dvec3 at = 0.5 + unit * glm::dvec3(coarse.GetDimensions() - 2);
+        const glm::dvec3 fine = grid.LocalToLattice(coarse.LatticeToLocal(at));
+        const double truth = std::exp(-vtkMediumLightOpticalDepth(grid, light, fine));
+        worst = std::max(worst, std::abs(Interpolate(coarse, transmittance, at) - truth));
+      }
+      EXPECT_LT(255 * worst, 3) << onCells << ' ' << light.Type;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 TEST(LightCache, PoseLeavesOutColourAndAttenuation)
 {
   Light a = MakePoint({ 0.1, 0.2, 0.3 });
