@@ -7,17 +7,20 @@
 
 namespace
 {
-constexpr double UpwardShare = 0.3; // of a frame that took longer than was thought
+constexpr double UpwardShare = 0.3;   // of a frame that took longer than was thought
+constexpr double LeastForRays = 0.25; // of a frame's time
 }
 
 //------------------------------------------------------------------------------
-vtkMediumFrameBudget::Economy vtkMediumFrameBudget::Plan(double seconds, double pixels) const
+vtkMediumFrameBudget::Economy vtkMediumFrameBudget::Plan(
+  double seconds, double pixels, double spent) const
 {
   Economy economy;
   economy.Hurried = seconds < AtRest;
   if (economy.Hurried)
   {
-    const double excess = this->SecondsPerPixel * pixels / std::max(seconds, 1e-3);
+    const double left = std::max({ seconds - spent, LeastForRays * seconds, 1e-3 });
+    const double excess = this->SecondsPerPixel * pixels / left;
     economy.StepFactor = std::min(std::max(excess, 1.0), LongestStep);
     const double edge = std::ceil(std::sqrt(excess / economy.StepFactor) - 1e-9);
     economy.PixelEdge = static_cast<int>(std::min(std::max(edge, 1.0), double(WidestPixel)));

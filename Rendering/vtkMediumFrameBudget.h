@@ -35,8 +35,9 @@ public:
   /// A window that has more time than this, in seconds, for a frame is at rest.
   static constexpr double AtRest = 1;
 
-  /// For a frame that may take `seconds`, with `pixels` pixels in view.
-  Economy Plan(double seconds, double pixels) const;
+  /// For a frame that may take `seconds`, with `pixels` pixels in view, of which building caches has spent
+  /// some; a quarter of the time is always left to the rays.
+  Economy Plan(double seconds, double pixels, double spent = 0) const;
 
   /// What a hurried frame took, to learn from.
   void Learn(const Economy& economy, double pixels, double seconds);

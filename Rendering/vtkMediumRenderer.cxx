@@ -127,12 +127,15 @@ std::string vtkMediumRenderer::Prepare(const Request& request,
   };
   if (this->Economy.Hurried)
   {
-    const double voxel = this->Scene.Geometry.VoxelLength / this->Scene.Geometry.Length;
-    const double found = this->StepControl.GetStep();
-    settings.ControlledStep = this->Economy.StepFactor * (found > 0 ? found : voxel);
     settings.Hurried = true;
     refusal = build();
     statistics->BuildMilliseconds = watch.Lap();
+    const glm::dvec2 pixels(FindViewport(request.Renderer).Size);
+    this->Economy =
+      this->Budget.Plan(request.Seconds, pixels.x * pixels.y, 1e-3 * statistics->BuildMilliseconds);
+    const double voxel = this->Scene.Geometry.VoxelLength / this->Scene.Geometry.Length;
+    const double found = this->StepControl.GetStep();
+    settings.ControlledStep = this->Economy.StepFactor * (found > 0 ? found : voxel);
     statistics->CalibrateMilliseconds = 0;
     return refusal;
   }

@@ -72,3 +72,19 @@ TEST(FrameBudget, LearnsNothingFromFramesWithoutPixels)
   EXPECT_EQ(budget.GetSecondsPerPixel(), 0);
   EXPECT_EQ(budget.Plan(0, 1e6).PixelEdge, 1) << "a first frame has nothing to go by";
 }
+
+//------------------------------------------------------------------------------
+TEST(FrameBudget, LeavesRoomForWhatBuildingCachesTook)
+{
+  vtkMediumFrameBudget budget;
+  budget.Learn(Economy{}, 1e6, 0.1);
+  auto quality = [&](double spent) {
+    const Economy economy = budget.Plan(0.1, 1e6, spent);
+    EXPECT_TRUE(economy.Hurried);
+    return 1 / (economy.StepFactor * economy.PixelEdge * economy.PixelEdge);
+  };
+  EXPECT_EQ(quality(0), 1);
+  EXPECT_LE(quality(0.05), 0.5);
+  EXPECT_GE(quality(0.05), 0.25);
+  EXPECT_EQ(quality(1000), quality(0.075)) << "a quarter of the time is left to the rays";
+}
