@@ -11,13 +11,15 @@ from against_closed_forms import paper_stage, step_at
 from mapper import Stage, pixels_of
 from page import largest_error
 from scenes import Scene, grid_of
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction
 
-#: A record's fields; None where the point does not have one. Errors are in 1/255 of the peak, costs are
-#: {median, quartiles} in milliseconds of wall-clock time.
-FIELDS = ("method", "field", "volume", "image", "knob", "max_error", "relative_rmse", "p99_9", "cold",
-          "light_changed", "light_dragged", "camera_moved", "taps", "bytes", "device",
-          "estimated_error", "light_method", "pixel_edge", "stages_cold", "stages_light", "scene")
+#: A record's fields; None where the point does not have one. Errors are in 1/255 of the peak (over the
+#: reference's pixels; max_error_all: over all pixels, against a fine FixedStep), costs are
+#: {median, quartiles} in milliseconds of wall-clock time, eye_step is the longest step in voxels.
+FIELDS = ("method", "field", "volume", "image", "knob", "max_error", "max_error_all", "relative_rmse",
+          "p99_9", "cold", "light_changed", "light_dragged", "camera_moved", "taps", "bytes", "device",
+          "estimated_error", "light_method", "pixel_edge", "eye_step", "stages_cold", "stages_light",
+          "stages_dragged", "scene")
 METHODS = ("FixedStep", "ErrorControlled", "ErrorControlled, no cache", "Exact", "Paper")
 LIGHT_METHODS = ("marched", "looked up", "marched to its cache", "in closed form")
 STAGES = ("Gather", "Upload", "Build", "Calibrate", "Compile", "Integrate", "Frame")
@@ -26,6 +28,8 @@ THRESHOLD = 0.5
 EXTINCTION = {"smooth": 8, "cloud": 20, "faded-cloud": 20, "binary": 8, "CT": 40}
 #: Elevation 45 degrees, along no diagonal of the lattice.
 LIGHT = (0.6, 1, 0.8)
+#: A function of the density with bends, as parts of the extinction: empty below, a peak, a valley.
+BENT = ((0, 0), (0.15, 0), (0.4, 1), (0.7, 0.2), (1, 0.8))
 #: Milliseconds of a cold frame beyond which a moved camera is timed once.
 SLOW = 3000
 _grids = {}
@@ -33,11 +37,13 @@ _grids = {}
 
 @dataclass(frozen=True)
 class Setting:
-    """What is drawn: a scene, in a few words of the page, and more lights beside its own."""
+    """What is drawn: a scene, in a few words of the page, and what scenes cannot say."""
 
     scene: Scene
     words: str = "cube, one light, g = 0"
-    more_lights: tuple = ()
+    more_lights: tuple = ()  #: directions of lights beside the scene's own
+    cone: float = 0  #: degrees: its own, at a position, is a spot of this half angle
+    bent: bool = False  #: the extinction is BENT of the density
     grid: np.ndarray = None  #: None: the scene's own
 
     def values(self) -> np.ndarray:
@@ -48,11 +54,10 @@ class Setting:
 
 
 def setting(field: str, points: int, pixels: int, **changes) -> Setting:
-    words = changes.pop("words", Setting.words)
-    lights = changes.pop("more_lights", ())
-    grid = changes.pop("grid", None)
+    own = {name: changes.pop(name) for name in ("words", "more_lights", "cone", "bent", "grid")
+           if name in changes}
     scene = Scene(field, field, EXTINCTION[field], 0, LIGHT, points=points, pixels=pixels)
-    return Setting(replace(scene, **changes), words, lights, grid)
+    return Setting(replace(scene, **changes), **own)
 
 
 def stage_of(what: Setting, method: str) -> Stage:
@@ -65,6 +70,14 @@ def stage_of(what: Setting, method: str) -> Stage:
         light.SetPosition(direction)
         light.SetFocalPoint(0, 0, 0)
         stage.renderer.AddLight(light)
+    if what.cone:
+        stage.light.SetConeAngle(what.cone)
+    if what.bent:
+        function = vtkPiecewiseFunction()
+        for at, part in BENT:
+            function.AddPoint(at, part * what.scene.extinction)
+        stage.medium.SetExtinctionScale(1)
+        stage.medium.SetExtinctionFunction(function)
     if method.endswith("no cache"):
         stage.mapper.SetLightCachesToNever()
     return stage
@@ -147,8 +160,8 @@ def moved_frames(stage: Stage, count: int) -> dict:
     return {"camera_moved": times, "taps": taps}
 
 
-def measure(what: Setting, method: str, knob: float, truth, device: str, frames: int = 5) -> dict:
-    """A cold frame, its error, then frames with a moved camera."""
+def cold_frame(what: Setting, method: str, knob: float, device: str) -> tuple:
+    """The first frame of a window: its stage, its image, and what a record says of it."""
     stage = stage_of(what, method)
     start = time.perf_counter()
     image = draw(stage, method, knob)
@@ -158,13 +171,23 @@ def measure(what: Setting, method: str, knob: float, truth, device: str, frames:
              "image": [what.scene.pixels] * 2, "knob": knob, "device": device, "scene": what.words,
              "cold": {"median": cold, "quartiles": [cold, cold]}, "stages_cold": stages_of(counted),
              "bytes": counted.GetGPUBytes(), "pixel_edge": counted.GetPixelEdge(),
+             "eye_step": counted.GetEyeStep() / min(stage.mapper.GetInput().GetSpacing()),
              "light_method": LIGHT_METHODS[counted.GetLightMethod()]}
-    if truth is not None:
-        known.update(errors(image, truth))
     if method.startswith("ErrorControlled"):
         known["estimated_error"] = 255 * stage.mapper.GetEstimatedError()
+    return stage, image, known
+
+
+def measure(what: Setting, method: str, knob: float, truth, device: str, frames: int = 5,
+            dense=None) -> dict:
+    """A cold frame, its errors (dense: the truth of all pixels), then frames with a moved camera."""
+    stage, image, known = cold_frame(what, method, knob, device)
+    if truth is not None:
+        known.update(errors(image, truth))
+    if dense is not None:
+        known["max_error_all"] = errors(image, dense)["max_error"]
     if frames:
-        known.update(moved_frames(stage, 1 if cold > SLOW else frames))
+        known.update(moved_frames(stage, 1 if known["cold"]["median"] > SLOW else frames))
     if stage.failed:
         raise RuntimeError("the mapper refused to draw; its error is above")
     return record(**known)
