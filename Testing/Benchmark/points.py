@@ -108,10 +108,15 @@ def truth_of(what: Setting, stride: int, tolerance: float, method: str = "") -> 
     return pixels_of(image)
 
 
-def errors(image: np.ndarray, truth: np.ndarray) -> dict:
-    """Over the pixels that the truth has; it was asked for every stride-th one."""
+def pixels_like(image: np.ndarray, truth: np.ndarray) -> np.ndarray:
+    """Those that the truth has; it was asked for every stride-th one."""
     stride = -(-image.shape[0] // truth.shape[0])
-    seen = image[::stride, ::stride]
+    return image[::stride, ::stride]
+
+
+def errors(image: np.ndarray, truth: np.ndarray) -> dict:
+    """Over the pixels that the truth has."""
+    seen = pixels_like(image, truth)
     off = np.abs(seen - truth)
     return {"max_error": 255 * largest_error(seen, truth),
             "relative_rmse": float(np.sqrt((off ** 2).mean()) / truth.mean()),

@@ -104,16 +104,30 @@ def window_of(scene: scenes.Scene, step: float, grid: np.ndarray,
     return window
 
 
-def render(scene: scenes.Scene, step: float) -> np.ndarray:
-    window = window_of(scene, step, scenes.grid_of(scene))
+def use_float_framebuffer(window: vtkRenderWindow, scene: scenes.Scene) -> None:
+    """From the next frame on; one in long steps makes the framebuffers."""
+    mapper = window.GetRenderers().GetFirstRenderer().GetVolumes().GetLastProp().GetMapper()
+    step = mapper.GetSampleDistance()
+    mapper.SetSampleDistance(max(scene.size))
     window.Render()
+    mapper.SetSampleDistance(step)
     for target in window.GetRenderFramebuffer(), window.GetDisplayFramebuffer():
         target.PopulateFramebuffer(scene.pixels, scene.pixels, True, 1, VTK_FLOAT, True, 24, 0)
-    window.Render()
+
+
+def image_of(window: vtkRenderWindow, scene: scenes.Scene) -> np.ndarray:
+    """The last frame's radiance, if it was drawn into floats."""
     pixels = vtkFloatArray()
     window.GetRGBAPixelData(0, 0, scene.pixels - 1, scene.pixels - 1, 0, pixels)
     grey = vtk_to_numpy(pixels).reshape(scene.pixels, scene.pixels, 4)[..., 1].astype(float)
     return grey / DIMMED / (4 * np.pi)
+
+
+def render(scene: scenes.Scene, step: float) -> np.ndarray:
+    window = window_of(scene, step, scenes.grid_of(scene))
+    use_float_framebuffer(window, scene)
+    window.Render()
+    return image_of(window, scene)
 
 
 def main() -> None:
