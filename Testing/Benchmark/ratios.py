@@ -22,6 +22,12 @@ def curve(records: list, method: str, field: str, cost: str = "camera_moved") ->
     return tuple(np.array(sorted(points, reverse=True)).reshape(-1, 2).T)
 
 
+def slope_of(errors, times) -> float:
+    """Of time against error in log-log: -2 is a method of first order whose cost grows as its steps'
+    square."""
+    return slope(errors, times) if np.unique(errors).size > 1 else 0.0
+
+
 def time_at(errors, times, level: float) -> tuple:
     """Milliseconds for an error, by straight lines in log-log; beyond the points along the slope of all
     of them. Whether it lies beyond is the second result; None where no slope can be had."""
@@ -34,7 +40,7 @@ def time_at(errors, times, level: float) -> tuple:
         return float(times[0]), True
     if np.unique(errors).size < 2:
         return None, True
-    along = min(slope(errors, times), 0)
+    along = min(slope_of(errors, times), 0)
     return float(times[-1] * (level / errors[-1]) ** along), True
 
 

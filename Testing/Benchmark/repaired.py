@@ -8,7 +8,7 @@ from points import SLOW, cold_frame, errors, moved_frames, record, truth_of
 FIXED_STEPS = (2, 1, 0.5, 0.25)
 PAPER_STEPS = (4, 2, 1)
 #: In 1/255 of the peak: FixedStep's steps are halved until less than this is left of its error.
-LEFT = 0.05
+LEFT = 0.1
 #: Of the change by a halving, what is left of the error of a method of second order.
 LEFT_OF_CHANGE = 1 / 3
 
