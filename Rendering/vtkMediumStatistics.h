@@ -8,6 +8,10 @@
  * look-ups on eye and light rays, and the number of rays are counted by the shader itself, and only
  * while CountTaps is on, since reading them back costs a few milliseconds.
  *
+ * Before the first frame all numbers are 0, but PixelEdge, which is 1, and LightMethod, which is
+ * LightMarched. A frame that is refused or aborted leaves the numbers of the last one that was drawn, but for
+ * its times.
+ *
  * @sa vtkSingleScatteringVolumeMapper::GetStatistics
  */
 #ifndef vtkMediumStatistics_h
@@ -42,11 +46,13 @@ public:
   vtkGetMacro(Passes, vtkTypeInt64);
   ///@}
 
-  /// Of the last frame: pixels of the window that shared an eye ray, along each axis.
+  /// Of the last frame: pixels of the window that shared an eye ray, along each axis; 1 or more.
   vtkGetMacro(PixelEdge, double);
 
-  /// Of the last frame: the longest that a step of an eye ray may have been, world units; what
-  /// ErrorControlled found.
+  /// Of the last frame: the longest that a step of an eye ray may have been, world units. Paper and FixedStep:
+  /// SampleDistance, or one voxel; ErrorControlled: what it found, or what a hurried frame made of that (steps
+  /// grow behind what hides them); in closed form: the volume's diagonal, as no ray is longer. Exact goes cell by
+  /// cell, so that this is only what FixedStep would take.
   vtkGetMacro(EyeStep, double);
 
   /// How the last frame found the transmittance to a light.
@@ -58,6 +64,7 @@ public:
                             ///< along the light ray until it is
     LightInClosedForm ///< by formula, as all of the frame: a homogeneous box in directional light
   };
+  /// One of LightMethods. Paper, FixedStep and Exact march, but for Exact's closed forms.
   vtkGetMacro(LightMethod, int);
 
   ///@{

@@ -9,55 +9,50 @@
  *
  *     L = int T(t) [ sigma_e + sum_k sigma_s p(cos theta_k) E_k exp(-tau_k) ] dt
  *
- * Lengths are world units. The phase function integrates to 1 over the sphere. An image is linear
- * radiance, premultiplied, without any tone mapping: a light's colour times its intensity is the
- * irradiance on a plane normal to the beam (a positional light: divided by a + b r + c r^2, its
- * AttenuationValues), so an isotropic medium of albedo 1 shows about 1/(4 pi) of it: raise intensities
- * to taste. The ambient and specular colours of lights and the renderer's ambient light are ignored.
+ * Lengths are world units. The phase function integrates to 1 over the sphere. An image is linear radiance,
+ * premultiplied, without any tone mapping: a light's colour times its intensity is the irradiance on a plane
+ * normal to the beam (a positional light: divided by a + b r + c r^2, its AttenuationValues), so an isotropic
+ * medium of albedo 1 shows about 1/(4 pi) of it: raise intensities to taste. The ambient and specular colours
+ * of lights and the renderer's ambient light are ignored. Without a light that is on (AutomaticLightCreation
+ * off) a medium is black, or shows its emission; that is an error only in Paper, for Radiance.
  *
  * Without a medium, the volume's vtkVolumeProperty is the medium: the scalar opacity function and
- * ScalarOpacityUnitDistance give the extinction, sigma_t = -ln(1 - alpha) / unit distance (alpha is
- * taken as at most 1 - 2^-24), and the colour function gives the albedo.
+ * ScalarOpacityUnitDistance give the extinction, sigma_t = -ln(1 - alpha) / unit distance (alpha is taken as
+ * at most 1 - 2^-24), and the colour function gives the albedo.
  *
  * The input is a vtkImageData of any scalar type; its point or cell scalars are chosen as in any
- * vtkVolumeMapper. NaN and -Inf voxels count as the smallest, +Inf as the largest finite value of the
- * data, with one warning. The camera may be anywhere, also inside the volume.
+ * vtkVolumeMapper. NaN and -Inf voxels count as the smallest, +Inf as the largest finite value of the data,
+ * with one warning. The camera may be anywhere, also inside the volume.
  *
- * Whatever cannot be drawn right is refused by one vtkErrorMacro that says what was found and what to
- * do; the frame keeps its background and the next valid frame is drawn. A cause that persists is
- * reported once, until it changes or a frame succeeds. Refused are: an input that is not a
- * vtkImageData, has no scalars, has fewer than two points along an axis or a singular matrix; blend
- * modes other than composite and additive; a gradient opacity other than 1 and two-dimensional transfer functions;
- * clipping and cropping planes that are none; outputs that depth peeling cannot mix; a window without OpenGL 3.2;
- * and the parameter values named below.
+ * Whatever cannot be drawn right is refused by one vtkErrorMacro that says what was found and what to do; the
+ * frame keeps its background and the next valid frame is drawn. A cause that persists is reported once, until
+ * it changes or a frame succeeds. Refused are: an input that is not a vtkImageData, has no scalars, has fewer
+ * than two points along an axis or a singular matrix; blend modes other than composite and additive; a
+ * gradient opacity other than 1 and two-dimensional transfer functions; clipping and cropping planes that are
+ * none; outputs that depth peeling cannot mix; a window without OpenGL 3.2; and the parameter values named
+ * below. Where a range is called clamped, a number outside of it is taken as the nearest one in it.
  *
  * @par Clipping and cropping
  * Clipping planes (AddClippingPlane; world coordinates; kept is the side that the normal points to) and
- * cropping (SetCropping, 27 regions, planes in the coordinates of the image, before the volume's matrix)
- * cut eye rays and light rays alike: what is cut away neither shines nor casts a shadow. Rays are cut
- * exactly at the planes, whatever the step. At most 16 planes may cut the volume, the faces of a cropped
- * box among them; planes beside it do not count. Not taken, and refused by an error: a plane with numbers
- * that are not finite, a zero normal or a transform, and cropping planes in the wrong order. Moving a plane
- * builds nothing, but that ErrorControlled finds its step anew, and light caches where light is cut.
+ * cropping (SetCropping, 27 regions, planes in the coordinates of the image, before the volume's matrix) cut
+ * eye rays and light rays alike: what is cut away neither shines nor casts a shadow. Rays are cut exactly at
+ * the planes, whatever the step. At most 16 planes may cut the volume, the faces of a cropped box among them.
+ * Refused are a plane with numbers that are not finite, a zero normal or a transform, and cropping planes in
+ * the wrong order. What moving a plane costs, and masks: Documentation/cutting.md.
  *
  * @par Blend modes
  * Composite blending is what a medium does. Additive blending is a radiograph: no light is followed, the
- * extinction is added up along each eye ray, and Radiance becomes OpticalDepth, which is shown as 1 - exp(-tau);
- * other outputs stay what they are. The other modes of vtkVolumeMapper combine scalars, not a medium.
+ * extinction is added up along each eye ray, and Radiance becomes OpticalDepth, which is shown as
+ * 1 - exp(-tau); other outputs stay what they are. The other modes combine scalars, not a medium.
  *
  * @par Shader code
- * The volume's vtkShaderProperty may put GLSL at a few points of the shaders, AddFragmentShaderReplacement
- * of //VTK::Medium::Dec, ...::Coefficients::Impl, ...::InScatter::Impl and ...::Color::Impl, with uniforms of
- * its GetFragmentCustomUniforms; see Module/Documentation/shaders.md. All else in it is refused.
+ * The volume's vtkShaderProperty may put GLSL at four points of the shaders (Documentation/shaders.md), no more.
  *
  * @par Picking and selection
- * vtkHardwareSelector, and what uses it (vtkPropPicker, vtkRenderer::PickProp), see the medium where more
- * than 3/255 of the light from behind is lost, as with VTK's own volume mapper. The depth, and the number
- * of the point or cell, are those of the place where that is reached; with Paper, of the first hit.
- * vtkCellPicker and vtkVolumePicker look at the input's scalars and the volume's property themselves:
- * they find the first place where the opacity of one unit distance is above their
- * VolumeOpacityIsovalue, also where a vtkParticipatingMedium is drawn, of which they know nothing.
- * While RenderToImage is on there is nothing to select.
+ * vtkHardwareSelector, and what uses it (vtkPropPicker, vtkRenderer::PickProp), see the medium where more than
+ * 3/255 of the light from behind is lost, as with VTK's own volume mapper. The depth, and the number of the
+ * point or cell, are those of that place; with Paper, of the first hit; while RenderToImage is on there are
+ * none. vtkCellPicker and vtkVolumePicker know no vtkParticipatingMedium; see Documentation/geometry.md.
  *
  * @par The integrators
  * | name | what it does | order |
@@ -141,30 +136,28 @@ public:
   };
 
   ///@{
-  /// The medium that fills the volume. Default: none, the volume's property is the medium. Values are
-  /// interpolated as that property says in either case, and VTK's default is the nearest value; call
-  /// SetInterpolationTypeToLinear on it for smooth data.
+  /// The medium that fills the volume. Default: none, the volume's property is the medium. Values are interpolated
+  /// as that property says in either case: SetInterpolationTypeToLinear, as VTK's default is the nearest value.
   void SetMedium(vtkParticipatingMedium* medium);
   vtkParticipatingMedium* GetMedium();
   ///@}
 
   ///@{
-  /// Where nothing is: an image of the input's dimensions whose point or cell scalars, one component of
-  /// unsigned char, are 0 where there is no medium, for eye rays and light rays. A voxel is taken out as a
-  /// whole, with a sharp border: a cell, or what is nearest to a point; the data are interpolated as if
-  /// there were no mask. The input's ghosts (vtkGhostType other than 0, as vtkUniformGrid::BlankPoint and
-  /// BlankCell set it) are left out by the same rule; call Modified() on the input after blanking. An
-  /// image of other dimensions or another type is an error at the next Render. Default: none.
+  /// Where nothing is: an image of the input's dimensions whose point or cell scalars, one component of unsigned
+  /// char, are 0 where there is no medium, for eye rays and light rays. A voxel is taken out as a whole, with a
+  /// sharp border: a cell, or what is nearest to a point; the data are interpolated as if there were no mask. The
+  /// input's ghosts (vtkGhostType other than 0, as vtkUniformGrid::BlankPoint and BlankCell set it) are left out by
+  /// the same rule; call Modified() on the input after blanking. Other dimensions or types: an error at the next
+  /// Render. Default: none.
   void SetMaskInput(vtkImageData* mask);
   vtkImageData* GetMaskInput();
   ///@}
 
   ///@{
-  /// Mean cosine g of the phase function when no medium is set, -1 (back) to 1 (forward), and which
-  /// phase function it parametrises. |g| > 0.999 is taken as 0.999. Default: 0, isotropic. Outside
-  /// [-1, 1], or NaN: an error at the next Render.
-  /// Schlick's k is 1.55 g - 0.55 g^3, at most 0.999 in magnitude; its mean cosine is not exactly g.
-  /// Default phase function: Henyey-Greenstein in FixedStep. Paper always uses Schlick.
+  /// Mean cosine g of the phase function when no medium is set, -1 (back) to 1 (forward), and which phase
+  /// function it parametrises (clamped). |g| > 0.999 is taken as 0.999. Outside [-1, 1], or NaN: an error at the
+  /// next Render. Schlick's k is 1.55 g - 0.55 g^3, at most 0.999 in magnitude; its mean cosine is not exactly g.
+  /// Default: 0, isotropic; Henyey-Greenstein. Paper always uses Schlick's, also with a medium.
   vtkSetMacro(Anisotropy, double);
   vtkGetMacro(Anisotropy, double);
   vtkSetClampMacro(PhaseFunction, int, HenyeyGreenstein, Schlick);
@@ -174,7 +167,7 @@ public:
   ///@}
 
   ///@{
-  /// The integrator. Default: ErrorControlled.
+  /// The integrator; clamped. Default: ErrorControlled.
   vtkSetClampMacro(Integrator, int, Paper, Exact);
   vtkGetMacro(Integrator, int);
   void SetIntegratorToPaper() { this->SetIntegrator(Paper); }
@@ -185,21 +178,20 @@ public:
 
   ///@{
   /// ErrorControlled: the largest error of any pixel, as a fraction of the image's peak radiance, that
-  /// the step is chosen for. It is met by estimate, not by proof; see GetEstimatedError. In (0, 1], else
-  /// an error at the next Render. Default: 1/255.
+  /// the step is chosen for. It is met by estimate, not by proof; see GetEstimatedError. Outside (0, 1], or
+  /// NaN: an error at the next Render. Default: 1/255.
   vtkSetMacro(MaximumError, double);
   vtkGetMacro(MaximumError, double);
   ///@}
 
   ///@{
-  /// ErrorControlled: whether light comes from caches, one look-up for a light ray, or from marched light
-  /// rays. Caches have an error of their own, on data that change abruptly from voxel to voxel, which no
-  /// step mends. WhereAccurate (default) takes them in pixels where MaximumError leaves room for that error,
-  /// and in others marches each light ray until its cache is accurate enough; Always takes them and lets
-  /// GetEstimatedError say what that costs; Never marches.
-  /// Caches serve up to 16 lights and media of grey extinction with linear interpolation, and take 2
-  /// bytes a voxel for each light, at most 1 GiB; where light rays are marched up to them, 4 bytes and 8
-  /// lights. Beyond that light rays are marched to their ends.
+  /// ErrorControlled (clamped): whether light comes from caches, one look-up for a light ray, or from marched
+  /// light rays. Caches have an error of their own, on data that change abruptly from voxel to voxel, which no
+  /// step mends. WhereAccurate (default) takes them in pixels where MaximumError leaves room for that error, and
+  /// in others marches each light ray until its cache is accurate enough; Always takes them and lets
+  /// GetEstimatedError say what that costs; Never marches. Caches serve up to 16 lights and media of grey
+  /// extinction with linear interpolation, and take 2 bytes a voxel for each light, at most 1 GiB; where light rays
+  /// are marched up to them, 4 bytes and 8 lights. Beyond that light rays are marched to their ends.
   vtkSetClampMacro(LightCaches, int, CachesWhereAccurate, CachesNever);
   vtkGetMacro(LightCaches, int);
   void SetLightCachesToWhereAccurate() { this->SetLightCaches(CachesWhereAccurate); }
@@ -209,8 +201,8 @@ public:
 
   ///@{
   /// Whether the renderer's visible opaque geometry casts shadows into the medium, with edges as wide as a
-  /// pixel of the light's view of the volume, which has OpaqueShadowResolution (16 to 8192) pixels an edge;
-  /// see Documentation/shadows.md. Default: off, for outlines, axes and widgets cast shadows too; 1024.
+  /// pixel of the light's view of the volume, which has OpaqueShadowResolution (16 to 8192, clamped) pixels an
+  /// edge; see Documentation/shadows.md. Default: off, for outlines, axes and widgets cast shadows too; 1024.
   vtkSetMacro(OpaqueShadows, bool);
   vtkGetMacro(OpaqueShadows, bool);
   vtkBooleanMacro(OpaqueShadows, bool);
@@ -220,30 +212,31 @@ public:
 
   ///@{
   /// ErrorControlled: whether a frame keeps to the time that the render window has for it
-  /// (vtkProp::GetAllocatedRenderTime) where that is less than a second, as while a user interacts with
-  /// it. Such a frame finds no step, looks light up in caches that are quickly built, takes steps up to
-  /// twice as long and lets up to 8 x 8 pixels share a ray; scattering stays on. The next frame at rest
-  /// is as accurate as ever. Default: on.
+  /// (vtkProp::GetAllocatedRenderTime) where that is less than a second, as while a user interacts with it. Such a
+  /// frame finds no step, looks light up in caches that are quickly built, takes steps up to twice as long and lets
+  /// up to 8 x 8 pixels share a ray; scattering stays on. The next at rest is as accurate as ever. Default: on.
   vtkSetMacro(AutoAdjustSampleDistances, bool);
   vtkGetMacro(AutoAdjustSampleDistances, bool);
   vtkBooleanMacro(AutoAdjustSampleDistances, bool);
   ///@}
 
   ///@{
-  /// Pixels of the window between eye rays, along each axis, 1 to 10 (default 1); between them the picture
-  /// is interpolated, also across edges of opaque geometry; float images have a value for each ray.
+  /// Pixels of the window between eye rays, along each axis, 1 (default) to 10, clamped; NaN: an error at the next
+  /// Render. Between them the picture is interpolated, also across edges of opaque geometry; float images have a
+  /// value for each ray.
   vtkSetClampMacro(ImageSampleDistance, double, 1, 10);
   vtkGetMacro(ImageSampleDistance, double);
   ///@}
 
-  /// The largest error that the last ErrorControlled frame was estimated to have, of the image's peak
-  /// radiance; 0 where it has a closed form; -1 in other integrators and where it had to keep to a time.
+  /// The largest error that the last ErrorControlled frame was estimated to have, of the image's peak radiance,
+  /// by its steps and light caches together; 0 where it has a closed form, and before any frame; -1 while another
+  /// integrator is set and where the frame had to keep to a time.
   double GetEstimatedError();
 
   ///@{
-  /// Longest step along eye rays, and along light rays, in world units. 0 (default) means: one voxel,
-  /// the shortest edge of a voxel for eye rays, and the eye ray's step for light rays. A step below
-  /// 1/100000 of the volume's diagonal is taken as that. Negative or NaN: an error at the next Render.
+  /// Paper, FixedStep: the longest step along eye rays, and along light rays, world units. 0 (default): one voxel's
+  /// shortest edge for eye rays, and their step for light rays. Below 1/100000 of the volume's diagonal it is taken
+  /// as that. Negative, infinite or NaN: an error at the next Render, also in integrators that have steps of their own.
   vtkSetMacro(SampleDistance, double);
   vtkGetMacro(SampleDistance, double);
   vtkSetMacro(LightSampleDistance, double);
@@ -251,16 +244,16 @@ public:
   ///@}
 
   ///@{
-  /// Paper: how often a hit that the linear search brackets is halved, 0 to 10 (2^-10 of a
-  /// step is finer than float resolves on a long ray). Default: 5.
+  /// Paper: how often a hit that the linear search brackets is halved, 0 to 10, clamped (2^-10 of a step is finer
+  /// than float resolves on a long ray). Default: 5.
   vtkSetClampMacro(BinarySearchIterations, int, 0, 10);
   vtkGetMacro(BinarySearchIterations, int);
   ///@}
 
   ///@{
-  /// Paper: each eye ray starts its samples late by one random number in [0, Jitter) of a step, from
-  /// a table that is the same in every frame; a small jitter trades rings for little noise. Outside
-  /// [0, 1), or NaN: an error at the next Render. Default: 0.2.
+  /// Paper: each eye ray starts its samples late by one random number in [0, Jitter) of a step, from a table that
+  /// is the same in every frame; a small jitter trades rings for little noise. Outside [0, 1), or NaN: an error at
+  /// the next Render, of any integrator. Default: 0.2.
   vtkSetMacro(Jitter, double);
   vtkGetMacro(Jitter, double);
   ///@}
@@ -273,30 +266,30 @@ public:
   ///@}
 
   ///@{
-  /// Paper: voxels whose scalar is at or above this value are filled (in the data's units). A threshold above
-  /// the data's range, which nothing passes, is an error at the next Render. Default: 0.5.
+  /// Paper: voxels whose scalar is at or above this value are filled (in the data's units). A threshold above the
+  /// data's range, which nothing passes, and NaN are errors at the next Render with Paper. Default: 0.5.
   vtkSetMacro(PaperThreshold, double);
   vtkGetMacro(PaperThreshold, double);
   ///@}
 
   ///@{
-  /// Paper: on, an eye ray ends at its first exit and a light ray at its first exit, as the paper has
-  /// it, which leaves holes where the filled part is not convex. Off (default), both go on through
-  /// every filled interval until they leave the volume.
+  /// Paper: on, eye rays and light rays end at their first exit, as the paper has it, which leaves holes where the
+  /// filled part is not convex. Off (default), both go on through every filled interval to the volume's end.
   vtkSetMacro(AssumeConvex, bool);
   vtkGetMacro(AssumeConvex, bool);
   vtkBooleanMacro(AssumeConvex, bool);
   ///@}
 
   ///@{
-  /// What the image holds. Default: Radiance. On screen, distances are shown as grey: FirstHit and
-  /// Depth as 1 at the nearest corner of the volume down to 0 at the farthest, Distance as a fraction
-  /// of the volume's diagonal, OpticalDepth as 1 - transmittance, SampleCount as a fraction of 1000, ErrorEstimate 64 times as bright;
-  /// as float images (GetColorImage) they are in their own units.
-  /// ErrorEstimate compares the frame with one of twice its steps and takes a third of the change, the
-  /// error of a method of second order (Richardson); the error of light caches is not in it.
-  /// The Paper integrator knows Radiance, FirstHit and Distance, and Exact has no step to estimate from:
-  /// what an integrator does not know is an error at the next Render.
+  /// What the image holds; clamped. Default: Radiance. On screen, distances are shown as grey: FirstHit and Depth
+  /// as 1 at the nearest corner of the volume down to 0 at the farthest, Distance as a fraction of the volume's
+  /// diagonal, OpticalDepth as 1 - transmittance, SampleCount as a fraction of 1000, ErrorEstimate 64 times as
+  /// bright; as float images (GetColorImage) they are in their own units.
+  /// ErrorEstimate compares the frame with one of twice its steps and takes a third of the change, the error of a
+  /// method of second order (Richardson). The error of light caches is not in it, as both frames look light up in
+  /// the same caches; with ErrorControlled, GetEstimatedError has both.
+  /// The Paper integrator knows Radiance, FirstHit and Distance, and Exact has no step to estimate from: what an
+  /// integrator does not know is an error at the next Render.
   vtkSetClampMacro(Output, int, Radiance, ErrorEstimate);
   vtkGetMacro(Output, int);
   void SetOutputToRadiance() { this->SetOutput(Radiance); }
@@ -310,7 +303,7 @@ public:
   ///@}
 
   ///@{
-  /// What the Depth output means. Default: FirstHitDepth.
+  /// What the Depth output means; clamped. Default: FirstHitDepth.
   vtkSetClampMacro(DepthDefinition, int, FirstHitDepth, TransmittanceDepth);
   vtkGetMacro(DepthDefinition, int);
   void SetDepthDefinitionToFirstHit() { this->SetDepthDefinition(FirstHitDepth); }
@@ -320,38 +313,45 @@ public:
 
   ///@{
   /// TransmittanceDepth: the mean transmittance that marks the depth, in (0, 1); a ray that keeps more
-  /// than that has no depth. Otherwise an error at the next Render. Default: 0.5.
+  /// than that has no depth. Outside (0, 1), or NaN: an error at the next Render. Default: 0.5.
   vtkSetMacro(DepthTransmittance, double);
   vtkGetMacro(DepthTransmittance, double);
   ///@}
 
   ///@{
-  /// On: Render draws nothing into the window but keeps its result for GetColorImage and
-  /// GetDepthImage, which also work when this is off. Default: off.
+  /// On: Render draws nothing into the window but keeps its result for GetColorImage and GetDepthImage, which also
+  /// work when this is off. Default: off.
   vtkSetMacro(RenderToImage, bool);
   vtkGetMacro(RenderToImage, bool);
   vtkBooleanMacro(RenderToImage, bool);
   ///@}
 
-  /// The last frame as float RGBA, linear and premultiplied, of the viewport's size, first row at the
-  /// bottom; an error if there is none. Outputs but Radiance: their value in R, G and B, with alpha 1 where
-  /// the ray has one, else all 0; Transmittance and OpticalDepth have one on every ray.
+  /// The last frame as float RGBA, linear and premultiplied, a value for each eye ray (the viewport's size, by
+  /// ImageSampleDistance), first row at the bottom. Outputs but Radiance: their value in R, G and B, with alpha 1
+  /// where the ray has one, else all 0; Transmittance and OpticalDepth have one on every ray. An error, and `image`
+  /// stays as it was, where there is none: before the first frame, after an aborted one, with depth peeling.
   void GetColorImage(vtkImageData* image);
 
-  /// The window depth (0 near plane, 1 far) of the first point of the medium on each eye ray, else 1.
+  /// The window depth (0 near plane, 1 far) of the first point of the medium on each eye ray, else 1: one float
+  /// for each ray; size, order and errors are those of GetColorImage.
   void GetDepthImage(vtkImageData* image);
 
   /// Counters and times of what the mapper did. Never null.
   vtkMediumStatistics* GetStatistics();
 
-  /// Takes the settings of another volume mapper, its medium and input connection, not what it drew.
+  /// Takes the settings of another mapper of this class, its medium, mask and input connection, not what it drew;
+  /// of any other vtkVolumeMapper its input connection, blend mode, cropping, clipping planes and choice of
+  /// scalars; of any other vtkAbstractMapper its clipping planes.
   void ShallowCopy(vtkAbstractMapper* mapper) override;
 
   /// Draws a frame. Events: VolumeMapperRenderStartEvent; VolumeMapperRenderProgressEvent after each draw
   /// of a march that is integrated, with a pointer to the fraction done (double); VolumeMapperRenderEndEvent.
   /// After each draw CheckAbortStatus is asked: an aborted frame is not shown and leaves no image.
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
+  /// Gives back all that is held on the device, whichever window is named (null: nothing); the next frame builds
+  /// it anew. VTK calls it when the window goes.
   void ReleaseGraphicsResources(vtkWindow* window) override;
+  /// The latest of this object's, its medium's and its mask's modification times.
   vtkMTimeType GetMTime() override;
 
 protected:

@@ -20,7 +20,12 @@
  *   in Python, the default) goes back to the constant;
  * - a transfer function of one component of that array, or of the scalars where none is named,
  *   times XScale: SetXFunction (grey) or SetXColorFunction (RGB). Setting one of the two clears the
- *   other.
+ *   other; NULL takes it away and leaves the other, so that without either the array or the constant
+ *   counts again.
+ *
+ * XScale, a factor for each channel, counts where there is an array or a function, is finite and >= 0,
+ * 1 by default, and what comes of the product is in the range of the quantity. It does not scale
+ * a constant.
  *
  * @par Components
  * An array has 1 to 4 components. With XComponent at -1 (the default) they mean what they mean to a
@@ -32,8 +37,9 @@
  * | 3 | RGB | RGB |
  * | 4 | RGB, from the first three | grey, from the fourth |
  *
- * XComponent from 0 on picks one component as a grey value. A function reads one component:
- * XComponent, or the first (Extinction and Absorption: the last).
+ * XComponent from 0 on picks one component as a grey value; one that the array does not have, or below
+ * -1, is an error. A function reads one component: XComponent, or the first (Extinction and Absorption:
+ * the last).
  *
  * @par Units
  * | quantity | unit | range |
@@ -47,8 +53,10 @@
  * 1000 makes the coefficients those per metre. DensityScale multiplies extinction, absorption,
  * scattering and emission.
  *
- * Values are checked when the medium is rendered. A value out of range, a NaN, a missing array or a
- * wrong number of components is reported in one error that names it, and nothing is drawn.
+ * Values are checked when the medium is rendered, those that its parametrization and its phase function
+ * use. A value out of range, a NaN, a missing array or a wrong number of components is reported in one
+ * error that names it, and nothing is drawn. Only Parametrization and PhaseFunction are held in their range
+ * as they are set: a number that names none is taken as the nearest that does.
  *
  * @sa vtkSingleScatteringVolumeMapper vtkSingleScatteringReference
  */
@@ -86,7 +94,7 @@ public:
   };
 
   ///@{
-  /// Which two coefficients state the medium. Default: ExtinctionAndAlbedo.
+  /// Which two coefficients state the medium; clamped to those two. Default: ExtinctionAndAlbedo.
   vtkSetClampMacro(Parametrization, int, ExtinctionAndAlbedo, AbsorptionAndScattering);
   vtkGetMacro(Parametrization, int);
   void SetParametrizationToExtinctionAndAlbedo() { this->SetParametrization(ExtinctionAndAlbedo); }
@@ -193,7 +201,8 @@ public:
 
   ///@{
   /// Anisotropy g of the phase functions that have one, -1 (back) to 1 (forward): a constant, one
-  /// component of an array (the only one, or AnisotropyComponent), or a function of it. Default: 0.
+  /// component of an array (the only one, or AnisotropyComponent), or a function of it. Beyond +-0.999 it is
+  /// taken as that; beyond +-1, or NaN: an error at the next Render. It has no scale. Default: 0.
   void SetAnisotropy(double g);
   double GetAnisotropy();
   void SetAnisotropyArrayName(const char* name);
@@ -232,8 +241,8 @@ public:
   };
 
   ///@{
-  /// The phase function. Default: HenyeyGreenstein, which is isotropic at the default Anisotropy,
-  /// 0.
+  /// The phase function; clamped to those above. Default: HenyeyGreenstein, which is isotropic at the
+  /// default Anisotropy, 0. The mapper's Paper integrator takes Schlick's in any case.
   vtkSetClampMacro(PhaseFunction, int, Isotropic, SchlickK);
   vtkGetMacro(PhaseFunction, int);
   void SetPhaseFunctionToIsotropic() { this->SetPhaseFunction(Isotropic); }
@@ -251,7 +260,7 @@ public:
   ///@}
 
   ///@{
-  /// g of the second lobe of DoubleHenyeyGreenstein, -1 to 1. Default: -0.5.
+  /// g of the second lobe of DoubleHenyeyGreenstein, -1 to 1; beyond +-0.999 taken as that. Default: -0.5.
   vtkSetMacro(BackAnisotropy, double);
   vtkGetMacro(BackAnisotropy, double);
   ///@}
@@ -284,7 +293,8 @@ public:
   vtkDoubleArray* GetPhaseTable();
   ///@}
 
-  /// Takes all values of another medium, and shares its functions and its phase table.
+  /// Takes all values of another medium, and shares its functions and its phase table. Of NULL, or of itself:
+  /// nothing happens.
   void ShallowCopy(vtkParticipatingMedium* other);
 
 #ifndef __VTK_WRAP__

@@ -41,7 +41,7 @@
  *
  * Events: StartEvent, ProgressEvent (its data is a pointer to the fraction that is done, a double)
  * and EndEvent, while GetColorImage runs. A cause that prevents a result is reported by one
- * vtkErrorMacro.
+ * vtkErrorMacro when a result is asked for, each time; setters report nothing.
  *
  * @sa vtkSingleScatteringVolumeMapper vtkParticipatingMedium
  */
@@ -74,7 +74,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// The grid. If none is set, it is the input of the volume's mapper.
+  /// The grid. If none is set (default), it is the input of the volume's mapper. Where that is no vtkImageData
+  /// either, has no scalars though no medium is set, or has fewer than two points along an axis: an error.
   void SetInputData(vtkImageData* input);
   vtkImageData* GetInputData();
   ///@}
@@ -86,7 +87,7 @@ public:
   ///@}
 
   ///@{
-  /// What fills the volume. If none is set, it is the volume's property.
+  /// What fills the volume. If none is set (default), it is the volume's property.
   void SetMedium(vtkParticipatingMedium* medium);
   vtkParticipatingMedium* GetMedium();
   ///@}
@@ -108,36 +109,38 @@ public:
   ///@}
 
   ///@{
-  /// The mean cosine g of Henyey and Greenstein's phase function, when no medium is set; -1 to 1, held
-  /// at +-0.999. Default 0.
+  /// The mean cosine g of Henyey and Greenstein's phase function, when no medium is set; -1 (back) to 1
+  /// (forward), held at +-0.999. Outside [-1, 1], or NaN: an error, unless a medium is set. Default: 0.
   vtkSetMacro(Anisotropy, double);
   vtkGetMacro(Anisotropy, double);
   ///@}
 
   ///@{
-  /// The largest error of the radiance, as a fraction of the peak; 1e-13 to 1, default 1e-9. The peak
-  /// of an image is the largest radiance among 12 x 12 pixels that are estimated beforehand, so it is
-  /// never above the image's true peak; that of a single ray is an estimate of its own radiance.
+  /// The largest error of the radiance, as a fraction of the peak; 1e-13 to 1, beyond which it is taken as
+  /// the nearest of the two; NaN is an error. Default: 1e-9. The peak of an image is the largest radiance
+  /// among 12 x 12 pixels that are estimated beforehand, so it is never above the image's true peak; that
+  /// of a single ray is an estimate of its own radiance.
   vtkSetClampMacro(Tolerance, double, 1e-13, 1.0);
   vtkGetMacro(Tolerance, double);
   ///@}
 
   ///@{
-  /// Width and height of the image, pixels; 0, 0 (the default) takes the renderer's size. When set, the
-  /// camera's aspect ratio is width / height.
+  /// Width and height of the image, pixels. When both are > 0, the camera's aspect ratio is width / height;
+  /// else (0, 0 is the default) the renderer's size counts, and where it has no window that is an error.
   vtkSetVector2Macro(ImageSize, int);
   vtkGetVector2Macro(ImageSize, int);
   ///@}
 
   ///@{
-  /// Compute only the pixels (i s, j s) of the full image. Default 1: all.
+  /// Compute only the pixels (i s, j s) of the full image, of a stride s from 1 to 2^20, beyond which it is taken
+  /// as the nearest of the two. Default: 1, all.
   vtkSetClampMacro(PixelStride, int, 1, 1 << 20);
   vtkGetMacro(PixelStride, int);
   ///@}
 
   ///@{
   /// Set from an observer of ProgressEvent to stop GetColorImage, which then returns false. It is
-  /// cleared when GetColorImage starts.
+  /// cleared when GetColorImage starts. Default: off.
   vtkSetMacro(AbortExecute, vtkTypeBool);
   vtkGetMacro(AbortExecute, vtkTypeBool);
   vtkBooleanMacro(AbortExecute, vtkTypeBool);
@@ -176,7 +179,9 @@ public:
   /// the array as it was.
   bool LightTransmittance(vtkLight* light, vtkPoints* points, vtkDoubleArray* transmittance);
 
-  /// Also that of everything that the result depends on.
+  /// The latest modification time of this object and of everything that a result depends on: the input, mask
+  /// and medium, the volume with its matrix, property, mapper and clipping planes, the renderer with its camera
+  /// and lights.
   vtkMTimeType GetMTime() override;
 
 protected:
