@@ -23,7 +23,7 @@ TEST_F(BadInput, NotAnImageIsRefused)
       vtkNew<vtkPolyData> surface;
       scene.Mapper->SetInputDataObject(surface);
     },
-    MendImage);
+    MendImage, AllIntegrators);
 }
 
 TEST_F(BadInput, ImageWithoutScalarsIsRefused)
@@ -47,7 +47,7 @@ TEST_F(BadInput, ImageWithoutScalarsIsRefused)
       image->SetDimensions(4, 4, 4);
       scene.Mapper->SetInputData(image);
     },
-    MendImage, true);
+    MendImage, OnlyPaper);
 }
 
 TEST_F(BadInput, MoreThanFourComponentsAreRefused)
@@ -55,7 +55,7 @@ TEST_F(BadInput, MoreThanFourComponentsAreRefused)
   for (bool property : { true, false })
   {
     ExpectRefusal(
-      { "5" },
+      { "5 components", property ? "pick an array of one component" : "give an array of 1 to 4" },
       [property](Scene& scene) {
         vtkNew<vtkImageData> image;
         image->SetDimensions(4, 4, 4);
@@ -69,7 +69,8 @@ TEST_F(BadInput, MoreThanFourComponentsAreRefused)
         MendImage(scene);
         scene.Mapper->SetMedium(scene.Medium);
         scene.Medium->SetExtinctionArrayName(nullptr);
-      });
+      },
+      property ? AllIntegrators : AllButPaper);
   }
 }
 
@@ -84,7 +85,7 @@ TEST_F(BadInput, FlatExtentIsRefused)
       image->SetDimensions(4, 4, 1);
       image->AllocateScalars(VTK_FLOAT, 1);
     },
-    MendImage);
+    MendImage, AllIntegrators);
 }
 
 TEST_F(BadInput, ThresholdThatNothingPassesIsRefused)
@@ -98,26 +99,23 @@ TEST_F(BadInput, ThresholdThatNothingPassesIsRefused)
                                   : "inf",
         "SetPaperThreshold" },
       [threshold](Scene& scene) { scene.Mapper->SetPaperThreshold(threshold); },
-      [](Scene& scene) { scene.Mapper->SetPaperThreshold(0.5); }, true);
+      [](Scene& scene) { scene.Mapper->SetPaperThreshold(0.5); }, OnlyPaper);
   }
 }
 
 TEST_F(BadInput, NegativeOrUnknownStepIsRefused)
 {
-  for (bool paper : { false, true })
+  for (double step : { -0.25, NaN, Infinity, -Infinity })
   {
-    for (double step : { -0.25, NaN, Infinity, -Infinity })
-    {
-      const std::string name = step == -0.25 ? "-0.25" : std::isnan(step) ? "nan" : "inf";
-      ExpectRefusal(
-        { name, "SetSampleDistance" },
-        [step](Scene& scene) { scene.Mapper->SetSampleDistance(step); },
-        [](Scene& scene) { scene.Mapper->SetSampleDistance(0); }, paper);
-      ExpectRefusal(
-        { name, "SetLightSampleDistance" },
-        [step](Scene& scene) { scene.Mapper->SetLightSampleDistance(step); },
-        [](Scene& scene) { scene.Mapper->SetLightSampleDistance(0); }, paper);
-    }
+    const std::string name = step == -0.25 ? "-0.25" : std::isnan(step) ? "nan" : "inf";
+    ExpectRefusal(
+      { name, "SetSampleDistance" },
+      [step](Scene& scene) { scene.Mapper->SetSampleDistance(step); },
+      [](Scene& scene) { scene.Mapper->SetSampleDistance(0); }, AllIntegrators);
+    ExpectRefusal(
+      { name, "SetLightSampleDistance" },
+      [step](Scene& scene) { scene.Mapper->SetLightSampleDistance(step); },
+      [](Scene& scene) { scene.Mapper->SetLightSampleDistance(0); }, AllIntegrators);
   }
 }
 
@@ -139,11 +137,11 @@ TEST_F(BadInput, FractionsOutsideTheirIntervalAreRefused)
     ExpectRefusal(
       { name.str(), "SetJitter", "[0, 1)" },
       [value](Scene& scene) { scene.Mapper->SetJitter(value); },
-      [](Scene& scene) { scene.Mapper->SetJitter(0.2); }, true);
+      [](Scene& scene) { scene.Mapper->SetJitter(0.2); }, AllIntegrators);
     ExpectRefusal(
       { name.str(), "SetTransmittanceThreshold", "[0, 1)" },
       [value](Scene& scene) { scene.Mapper->SetTransmittanceThreshold(value); },
-      [](Scene& scene) { scene.Mapper->SetTransmittanceThreshold(1.0 / 1024); });
+      [](Scene& scene) { scene.Mapper->SetTransmittanceThreshold(1.0 / 1024); }, AllIntegrators);
   }
 }
 
@@ -173,7 +171,7 @@ TEST_F(BadInput, PaperWithoutLightIsRefused)
     [](Scene& scene) {
       scene.AddBeam({ 0.3, -1, -0.2 });
     },
-    true);
+    OnlyPaper);
 }
 
 TEST_F(BadInput, OtherBlendModesAreRefused)
@@ -190,7 +188,7 @@ TEST_F(BadInput, OtherBlendModesAreRefused)
     ExpectRefusal(
       { name, "SetBlendModeToComposite", "SetBlendModeToAdditive" },
       [mode = mode](Scene& scene) { scene.Mapper->SetBlendMode(mode); },
-      [](Scene& scene) { scene.Mapper->SetBlendModeToComposite(); });
+      [](Scene& scene) { scene.Mapper->SetBlendModeToComposite(); }, AllIntegrators);
   }
 }
 
@@ -229,7 +227,7 @@ TEST_F(BadInput, SingularMatrixIsRefused)
       flat->SetElement(2, 2, 0);
       scene.Volume->SetUserMatrix(flat);
     },
-    [](Scene& scene) { scene.Volume->SetUserMatrix(nullptr); });
+    [](Scene& scene) { scene.Volume->SetUserMatrix(nullptr); }, AllIntegrators);
   ExpectRefusal(
     { "singular" },
     [](Scene& scene) {
@@ -237,7 +235,7 @@ TEST_F(BadInput, SingularMatrixIsRefused)
       image->SetSpacing(0.1, 0, 0.1);
       scene.Mapper->SetInputData(image);
     },
-    MendImage);
+    MendImage, AllIntegrators);
 }
 
 TEST_F(BadInput, LightsWithoutMeaningAreRefused)

@@ -1,11 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Windows and inputs that VTK itself keeps from the mapper, or that have nothing to show.
-#include "ClosedForms.h"
+#include "BadInput.h"
 
 #include "vtkObjectFactory.h"
-
-#include <gtest/gtest.h>
 
 using namespace vtkMediumTest;
 
@@ -92,22 +90,27 @@ TEST(BadWindow, MissingInputIsNamedByTheMapper)
   EXPECT_NE(scene.Errors[0].find("missing"), std::string::npos) << scene.Errors[0];
 }
 
-TEST(BadWindow, EmptyImageIsRefusedOnceIfAtAll)
+// Some versions of VTK cull what has no bounds before it comes to the mapper; then there is no error but from the
+// mapper itself.
+TEST(BadWindow, EmptyImageShowsTheBackgroundAndIsRefusedOnce)
 {
-  Scene scene(MakeBox(), 12);
-  scene.AddBeam({ 0, -1, 0 });
-  vtkNew<vtkImageData> empty;
-  scene.Mapper->SetInputData(empty);
-  for (unsigned char byte : scene.RenderWindow())
+  for (int integrator : AllIntegrators)
   {
-    ASSERT_EQ(byte, 0);
+    SCOPED_TRACE(testing::Message() << "integrator " << integrator);
+    ValidScene scene(integrator);
+    const Picture valid = scene.Render();
+    scene.Volume->VisibilityOff();
+    const std::vector<unsigned char> background = scene.RenderWindow();
+    scene.Volume->VisibilityOn();
+    scene.Mapper->SetInputData(vtkNew<vtkImageData>());
+    EXPECT_EQ(background, scene.RenderWindow());
+    EXPECT_EQ(background, scene.RenderWindow());
+    scene.Mapper->Render(scene.Renderer, scene.Volume);
+    ASSERT_EQ(scene.Errors.size(), 1u);
+    EXPECT_NE(scene.Errors[0].find("extent 0..-1"), std::string::npos) << scene.Errors[0];
+    EXPECT_NE(scene.Errors[0].find("two points"), std::string::npos) << scene.Errors[0];
+    scene.Mapper->SetInputData(MakeBox());
+    EXPECT_EQ(scene.Render().Values, valid.Values);
+    EXPECT_EQ(scene.Errors.size(), 1u);
   }
-  scene.RenderWindow();
-  EXPECT_LE(
-    scene.Errors.size(), 1u); // VTK may cull what has no bounds before it comes to the mapper
-  scene.Mapper->Render(scene.Renderer, scene.Volume);
-  ASSERT_EQ(scene.Errors.size(), 1u);
-  EXPECT_NE(scene.Errors[0].find("extent"), std::string::npos) << scene.Errors[0];
-  scene.Mapper->SetInputData(MakeBox());
-  EXPECT_GT(scene.Render().Mean(), 0);
 }

@@ -310,5 +310,5 @@ TEST_F(BadInput, ShaderCodeWithoutAPlaceIsRefused)
     mend);
   ExpectRefusal(
     { "Paper", Coefficients },
-    [](Scene& scene) { Alter(scene, Coefficients, "extinction *= 2.0;"); }, mend, true);
+    [](Scene& scene) { Alter(scene, Coefficients, "extinction *= 2.0;"); }, mend, OnlyPaper);
 }
