@@ -20,6 +20,7 @@
 #include "vtkVolume.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <sstream>
 
@@ -28,6 +29,7 @@ namespace
 const char* const NoImage =
   "There is no complete image; render a frame first, with depth peeling of volumes "
   "switched off (UseDepthPeelingForVolumesOff).";
+const char* const NothingToFill = "The image to fill is null; give a vtkImageData.";
 const char* const PeelingOfOtherThings =
   "Depth peeling of volumes mixes radiance with geometry in the window, and nothing else; set "
   "SetOutputToRadiance, SetBlendModeToComposite and RenderToImageOff, or switch it off for volumes "
@@ -179,12 +181,22 @@ std::string vtkSingleScatteringVolumeMapper::CheckContract()
          << "), but a participating medium has composite blending (SetBlendModeToComposite), and "
             "additive blending (SetBlendModeToAdditive) for the light that is lost along a ray.";
   }
+  else if (std::isnan(this->ImageSampleDistance)) // all that clamping lets through
+  {
+    text << "The image sample distance is " << this->ImageSampleDistance
+         << "; set 1 to 10 pixels between eye rays (SetImageSampleDistance).";
+  }
   return text.str();
 }
 
 //------------------------------------------------------------------------------
 void vtkSingleScatteringVolumeMapper::GetColorImage(vtkImageData* image)
 {
+  if (!image)
+  {
+    vtkErrorMacro(<< NothingToFill);
+    return;
+  }
   vtkMediumFrame& frame = this->Drawing->GetFrame();
   const std::vector<float> radiance = frame.DownloadRadiance();
   if (radiance.empty() || this->Drawing->IsInPieces())
@@ -203,6 +215,11 @@ void vtkSingleScatteringVolumeMapper::GetColorImage(vtkImageData* image)
 //------------------------------------------------------------------------------
 void vtkSingleScatteringVolumeMapper::GetDepthImage(vtkImageData* image)
 {
+  if (!image)
+  {
+    vtkErrorMacro(<< NothingToFill);
+    return;
+  }
   vtkMediumFrame& frame = this->Drawing->GetFrame();
   const std::vector<float> hits = frame.DownloadHits();
   if (hits.empty() || this->Drawing->IsInPieces())

@@ -193,6 +193,7 @@ private:
   void operator=(const vtkSingleScatteringReference&) = delete;
 
   vtkImageData* FindInput();
+  std::string CheckTolerance() const;
   std::string GatherMedium();
   std::string GatherLights();
   std::string GatherView(int size[2]);

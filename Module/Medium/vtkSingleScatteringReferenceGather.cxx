@@ -19,6 +19,7 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 //------------------------------------------------------------------------------
@@ -70,6 +71,18 @@ vtkImageData* vtkSingleScatteringReference::FindInput()
     return this->InputData;
   }
   return vtkImageData::SafeDownCast(this->Volume->GetMapper()->GetDataObjectInput());
+}
+
+//------------------------------------------------------------------------------
+std::string vtkSingleScatteringReference::CheckTolerance() const
+{
+  std::ostringstream problem;
+  if (std::isnan(this->Tolerance)) // all that clamping lets through
+  {
+    problem << "The tolerance is " << this->Tolerance
+            << "; set a fraction of the peak from 1e-13 to 1 (SetTolerance).";
+  }
+  return problem.str();
 }
 
 //------------------------------------------------------------------------------
@@ -167,7 +180,8 @@ bool vtkSingleScatteringReference::Gather(bool lights)
     return true;
   }
   this->Scene->Time = 0;
-  std::string problem = this->GatherMedium();
+  std::string problem = this->CheckTolerance();
+  problem = problem.empty() ? this->GatherMedium() : problem;
   if (problem.empty() && lights)
   {
     problem = this->GatherLights();

@@ -119,6 +119,29 @@ TEST_F(BadInput, NegativeOrUnknownStepIsRefused)
   }
 }
 
+// Clamping lets NaN through.
+TEST_F(BadInput, UnknownImageSampleDistanceIsRefused)
+{
+  ExpectRefusal(
+    { "nan", "SetImageSampleDistance", "1 to 10" },
+    [](Scene& scene) { scene.Mapper->SetImageSampleDistance(NaN); },
+    [](Scene& scene) { scene.Mapper->SetImageSampleDistance(1); }, AllIntegrators);
+}
+
+TEST_F(BadInput, MissingImagesAreNotFilled)
+{
+  ValidScene scene;
+  const Picture valid = scene.Render();
+  scene.Mapper->GetColorImage(nullptr);
+  scene.Mapper->GetDepthImage(nullptr);
+  ASSERT_EQ(scene.Errors.size(), 2u);
+  for (const std::string& error : scene.Errors)
+  {
+    EXPECT_NE(error.find("give a vtkImageData"), std::string::npos) << error;
+  }
+  EXPECT_EQ(scene.Render().Values, valid.Values);
+}
+
 TEST_F(BadInput, ZeroStepIsOneVoxel)
 {
   ValidScene scene;

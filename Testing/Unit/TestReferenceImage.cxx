@@ -193,6 +193,13 @@ TEST(ReferenceImage, EachCauseIsOneErrorAndTheNextValidCallWorks)
     EXPECT_TRUE(errors.IsOne("SetRenderer"));
   }
   reference->SetRenderer(setting.Renderer);
+  {
+    Errors errors(reference);
+    reference->SetTolerance(std::nan("")); // which clamping lets through
+    EXPECT_FALSE(reference->Radiance(a, b, rgba));
+    EXPECT_TRUE(errors.IsOne("SetTolerance"));
+  }
+  reference->SetTolerance(1e-6);
   Errors errors(reference);
   EXPECT_TRUE(reference->Radiance(a, b, rgba));
   EXPECT_GT(rgba[3], 0);
