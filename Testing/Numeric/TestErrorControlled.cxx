@@ -138,7 +138,8 @@ TEST(ErrorControlled, LeapsWithoutLeavingAnythingOut)
   const Picture leapt = scene.Render();
   EXPECT_GT(scene.Mapper->GetStatistics()->GetBricksLeapt(), 0);
   scene.Mapper->SetIntegratorToFixedStep();
-  scene.SetSteps(ReferenceVoxel / 16, ReferenceVoxel / 16);
+  const double step = scene.Mapper->GetStatistics()->GetEyeStep();
+  scene.SetSteps(step, step);
   const Picture plain = scene.Render();
   double largest = 0, peak = 0;
   for (std::size_t i = 0; i < plain.Values.size(); ++i)
@@ -146,8 +147,8 @@ TEST(ErrorControlled, LeapsWithoutLeavingAnythingOut)
     largest = std::max(largest, std::abs(double(plain.Values[i]) - leapt.Values[i]));
     peak = std::max(peak, double(plain.Values[i]));
   }
-  EXPECT_LT(
-    largest, 2e-3 * peak); // both err by their own steps; a brick that is missed, by far more
+  // Where rays enter the occupied tiles their samples begin anew; a brick that is missed errs by far more.
+  EXPECT_LT(largest, 2e-4 * peak);
 }
 
 TEST(ErrorControlled, CameraAndColourRebuildNothing)

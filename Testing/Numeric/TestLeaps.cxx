@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The ParticipatingMedia developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Leaping empty space changes what a frame costs and not what it shows: ErrorControlled without caches
-// beside itself with user code, whose coefficients bricks know nothing about.
+// beside itself with user code, whose coefficients bricks know nothing about; and with caches beside itself
+// in air that is too thin to see, in which no brick is empty.
 #include "CutScene.h"
 
 #include "vtkShaderProperty.h"
@@ -37,7 +38,7 @@ const Data AllData[] = {
     [](const glm::ivec3& at) {
       return std::abs(glm::length(glm::dvec3(at) - 28.0) - 18) < 0.5 ? 1.0 : 0.0;
     } },
-  { "TwoSheets", [](const glm::ivec3& at) { return at.x == 8 || at.y == 40 ? 1.0 : 0.0; } },
+  { "CrossedSheets", [](const glm::ivec3& at) { return at.x == 8 || at.y == 40 ? 1.0 : 0.0; } },
 };
 
 /// The same everywhere but for cuts along z, as the tests below need it.
@@ -55,16 +56,30 @@ const Cut AllCuts[] = {
     } },
 };
 
-/// The data between two sheets of haze, in which all eye rays begin and end: both ways then take their
-/// samples at the same places.
+/// Where haze is.
+enum Hazes
+{
+  NoHaze,
+  TwoSheets, ///< before and behind all
+  Faces,     ///< of the box
+};
+
+bool IsHazy(Hazes haze, const glm::ivec3& at, int last)
+{
+  const bool sheets = at.z == 0 || at.z == last;
+  return haze != NoHaze &&
+    (sheets || (haze == Faces && (at.x == 0 || at.x == last || at.y == 0 || at.y == last)));
+}
+
+/// The data between sheets of haze, in which all eye rays begin and end: both ways then take their samples at
+/// the same places.
 struct LeapScene : Scene
 {
-  explicit LeapScene(const Data& data, int points = Few, bool haze = true)
+  explicit LeapScene(const Data& data, int points = Few, Hazes haze = TwoSheets, double air = 0)
     : Scene(MakeImage(glm::ivec3(points), glm::dvec3(1),
               [&](const glm::dvec3& p) {
                 const glm::ivec3 at(glm::round((p + 0.5) * double(points - 1)));
-                const bool sheet = haze && (at.z == 0 || at.z == points - 1);
-                return sheet ? 0.01 : data.Of(at);
+                return IsHazy(haze, at, points - 1) ? 0.01 : std::max(data.Of(at), air);
               }),
         40)
   {
@@ -92,6 +107,10 @@ struct LeapScene : Scene
 };
 
 struct LeapsTest : testing::TestWithParam<std::tuple<Data, Cut>>
+{
+};
+
+struct LeapsInAirTest : testing::TestWithParam<std::tuple<Data, bool>>
 {
 };
 
@@ -151,6 +170,41 @@ TEST_P(MovedCutsTest, ShowWhatStepsShow)
 INSTANTIATE_TEST_SUITE_P(Of, MovedCutsTest, testing::ValuesIn(AllData),
   [](const auto& parameters) { return std::string(parameters.param.Name); });
 
+// Rays of a perspective view, and light that is marched or from caches. Marched, samples are at places that
+// differ by the rounding of the steps; with caches both take the shortest step, and are off by the build of the
+// caches of lamps, which interpolates more of them where less is occupied.
+TEST_P(LeapsInAirTest, ShowWhatStepsThroughAirShow)
+{
+  const auto& [data, caches] = GetParam();
+  LeapScene leaping(data, Few, Faces), airy(data, Few, Faces, 1e-9);
+  for (LeapScene* scene : { &leaping, &airy })
+  {
+    caches ? scene->Mapper->SetLightCachesToAlways() : scene->Mapper->SetLightCachesToNever();
+    scene->Mapper->SetMaximumError(caches ? 1e-5 : 0.01);
+    scene->Camera->ParallelProjectionOff();
+    scene->Look({ 0.4, -0.3, -1 }, 2.4);
+  }
+  const Picture leapt = leaping.Render(), plain = airy.Render();
+  vtkMediumStatistics *few = leaping.Mapper->GetStatistics(), *all = airy.Mapper->GetStatistics();
+  EXPECT_GT(few->GetBricksLeapt(), 0);
+  EXPECT_EQ(all->GetBricksLeapt(), 0);
+  EXPECT_LT(2 * few->GetTaps(), all->GetTaps());
+  EXPECT_NEAR(few->GetEyeStep(), all->GetEyeStep(), caches ? 0 : 1e-3 * all->GetEyeStep());
+  for (vtkMediumStatistics* each : { few, all })
+  {
+    EXPECT_EQ(each->GetLightMethod(),
+      caches ? vtkMediumStatistics::LightLookedUp : vtkMediumStatistics::LightMarched);
+  }
+  ASSERT_TRUE(leapt.IsLight() && plain.IsLight());
+  EXPECT_LT(Difference(leapt, plain), 2e-4) << "of a picture whose alpha is up to 1";
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, LeapsInAirTest,
+  testing::Combine(testing::ValuesIn(AllData), testing::Bool()), [](const auto& parameters) {
+    return std::string(std::get<0>(parameters.param).Name) +
+      (std::get<1>(parameters.param) ? "LookedUp" : "Marched");
+  });
+
 // A ball: 95 in 100 voxels are empty.
 TEST(Leaps, TakeAnEighthOfTheTapsWhereAlmostAllIsEmpty)
 {
@@ -158,7 +212,7 @@ TEST(Leaps, TakeAnEighthOfTheTapsWhereAlmostAllIsEmpty)
     [](const glm::ivec3& at) { return glm::length(glm::dvec3(at) - 52.0) < 26 ? 1.0 : 0.0; } };
   for (bool lit : { false, true })
   {
-    LeapScene scene(ball, Many, false);
+    LeapScene scene(ball, Many, NoHaze);
     scene.Mapper->SetLightCachesToWhereAccurate();
     lit ? scene.Mapper->SetOutputToRadiance() : scene.Mapper->SetOutputToOpticalDepth();
     vtkDataArray* density = scene.Mapper->GetInput()->GetPointData()->GetScalars();
