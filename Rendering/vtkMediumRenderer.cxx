@@ -293,7 +293,7 @@ std::string vtkMediumRenderer::DrawFrame(
   const bool inView = this->Frame.IsComplete() && this->Frame.GetDraws() > 0;
   if (refusal.empty() && request.Show && inView &&
     !this->Frame.Show(
-      this->Programs, vtkMediumImages::FindShown(this->Scene, this->Output), this->Probe))
+      this->Programs, vtkMediumImages::FindShown(this->Scene, this->Output), this->Coarser))
   {
     refusal =
       "The shader that shows a frame did not compile on this device; the compiler's words are "
@@ -321,11 +321,12 @@ void vtkMediumRenderer::CountWork(const vtkMediumPlan& plan, vtkMediumStatistics
   statistics->LightCacheBuilds = this->Accelerator.GetLightCacheBuilds();
   statistics->LightCacheUploads = this->Accelerator.GetLightCacheUploads();
   statistics->ShadowMapBuilds = this->ShadowMap.GetBuilds();
-  statistics->OpaqueDepthCopies = this->Frame.GetDepthCopies() + this->Probe.GetDepthCopies();
+  statistics->OpaqueDepthCopies =
+    this->Frame.GetDepthCopies() + this->Probe.GetDepthCopies() + this->Coarser.GetDepthCopies();
   statistics->Calibrations = this->StepControl.GetCalibrations();
   statistics->GPUBytes = this->Textures.GetBytes() + this->Accelerator.GetBytes() +
     this->ShadowMap.GetBytes() + this->Peel.GetBytes() + this->Frame.GetBytes() +
-    this->Probe.GetBytes();
+    this->Probe.GetBytes() + this->Coarser.GetBytes();
   const vtkMediumBricks& bricks = this->Accelerator.GetBricks();
   const std::size_t leapt =
     bricks.GetNumberOf(vtkMediumBricks::Empty) + this->Accelerator.GetBricksCutAway();
@@ -353,6 +354,7 @@ void vtkMediumRenderer::ReleaseGraphicsResources(vtkWindow* window)
     this->Programs.ReleaseGraphicsResources(window);
     this->Peel.ReleaseGraphicsResources(window);
     this->Probe.ReleaseGraphicsResources(window);
+    this->Coarser.ReleaseGraphicsResources(window);
     this->Frame.ReleaseGraphicsResources(window);
     this->FrameSignature = vtkMediumSignature();
   }

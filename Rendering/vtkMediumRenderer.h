@@ -77,7 +77,7 @@ public:
   /// The last frame: what it holds, and the scene that it was drawn from.
   vtkMediumFrame& GetFrame() { return this->Frame; }
   /// The same frame in steps of twice the length, where the output is an error estimate.
-  vtkMediumFrame& GetCoarserFrame() { return this->Probe; }
+  vtkMediumFrame& GetCoarserFrame() { return this->Coarser; }
   const vtkMediumScene& GetScene() const { return this->Scene; }
   int GetOutput() const { return this->Output; }
   /// Whether the last frame is in pieces, between layers of depth peeling.
@@ -134,7 +134,9 @@ private:
   vtkMediumFrameBudget::Economy Economy; ///< of the last frame
   bool ClosedForm = false;               ///< the last frame was not marched
   vtkMediumPeel Peel;
-  vtkMediumFrame Probe;
+  vtkMediumFrame Probe; ///< what StepControl asks for, and the second piece of a frame in pieces
+  vtkMediumFrame
+    Coarser; ///< what an error estimate compares Frame with; shown and read as long as that
   vtkMediumFrame Frame;
   vtkMediumSignature FrameSignature; ///< of what Frame holds; empty: of nothing
   bool Reused = false;               ///< the last Draw showed what Frame held already

@@ -50,8 +50,8 @@ std::string vtkMediumRenderer::IntegrateFrame(vtkMediumFrame& frame, const Reque
   if (refusal.empty() && frame.IsComplete() &&
     request.Settings.Output == vtkSingleScatteringVolumeMapper::ErrorEstimate)
   {
-    refusal = this->Probe.Begin(this->Window, viewport, plan.NeedsState(), mayBeHidden);
-    refusal = refusal.empty() ? this->Integrate(this->Probe, plan.Coarser()) : refusal;
+    refusal = this->Coarser.Begin(this->Window, viewport, plan.NeedsState(), mayBeHidden);
+    refusal = refusal.empty() ? this->Integrate(this->Coarser, plan.Coarser()) : refusal;
   }
   if (refusal.empty() && frame.IsComplete() && plan.Finishes &&
     !frame.Finish(this->Programs, this->Scene, plan))

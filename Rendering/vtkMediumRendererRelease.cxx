@@ -29,7 +29,11 @@ void vtkMediumRenderer::ReleaseUnread(const Request& request, const vtkMediumPla
     this->Peel.ReleaseGraphicsResources(this->Window);
   }
   const bool estimates = request.Settings.Output == vtkSingleScatteringVolumeMapper::ErrorEstimate;
-  if (!draft.UseBricks && !request.Peeling && !estimates)
+  if (!estimates)
+  {
+    this->Coarser.ReleaseGraphicsResources(this->Window);
+  }
+  if (!draft.UseBricks && !request.Peeling)
   {
     this->Probe.ReleaseGraphicsResources(this->Window);
   }

@@ -28,7 +28,7 @@ struct ReferenceScene : Scene
   vtkNew<vtkSingleScatteringReference> Reference;
   Picture Truth;
   double Peak = 0;
-  static constexpr int Stride = 4; ///< of the pixels that are compared
+  int Stride = 4; ///< of the pixels that are compared
 
   explicit ReferenceScene(
     vtkMediumFixtures::Fields field, bool onCells = false, double coneAngle = 60)
@@ -53,7 +53,6 @@ struct ReferenceScene : Scene
     this->Reference->SetVolume(this->Volume);
     this->Reference->SetMedium(this->Medium);
     this->Reference->SetRenderer(this->Renderer);
-    this->Reference->SetPixelStride(Stride);
     this->Reference->SetTolerance(1e-7);
   }
 
@@ -61,6 +60,7 @@ struct ReferenceScene : Scene
   void FindTruth()
   {
     this->Window->Render(); // so that the renderer has its size
+    this->Reference->SetPixelStride(this->Stride);
     vtkNew<vtkImageData> image;
     ASSERT_TRUE(this->Reference->GetColorImage(image));
     const double* values = static_cast<const double*>(image->GetScalarPointer());

@@ -122,7 +122,7 @@ TEST(AgainstReference, ErrorEstimateIsTheErrorOfTheFrame)
     {
       for (int x = 0; x < scene.Truth.Size.x; ++x)
       {
-        const int i = ReferenceScene::Stride * x, j = ReferenceScene::Stride * y;
+        const int i = scene.Stride * x, j = scene.Stride * y;
         const double error = std::abs(radiance.At(i, j, 0) - scene.Truth.At(x, y, 0));
         largest = std::max(largest, error);
         estimated = std::max(estimated, double(estimate.At(i, j, 0)));
