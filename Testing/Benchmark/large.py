@@ -79,10 +79,10 @@ def bytes_a_voxel(what) -> float:
 
 
 def measure_field(field: str, device: str, points: int = 256, pixels: int = 512,
-                  frames: int = 5, dense=None) -> tuple:
+                  frames: int = 5, dense=None, stride: int = STRIDE) -> tuple:
     """Records, and the facts beside them; dense: the truth of all pixels, where it is known."""
     what = setting(field, points, pixels)
-    ours = controlled(what, device, frames, dense)
+    ours = controlled(what, device, frames, dense, stride)
     records = [ours, unshadowed(what, device, frames),
                measure(what, "FixedStep", 1, None, device, frames=0)]
     facts = {"loop_taps_per_second": bare_loop(what, ours["eye_step"], frames),
