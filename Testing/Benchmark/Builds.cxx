@@ -34,7 +34,7 @@ struct Setting
 {
   vtkSmartPointer<vtkImageData> Image;
   vtkMediumScene Scene;
-  vtkMediumExtinctionGrid Grid;
+  vtkMediumExtinctionGrid Grid, Coarser;
 };
 
 //------------------------------------------------------------------------------
@@ -54,6 +54,7 @@ const Setting& SettingOf(Fields field, int points)
     setting.Image = MakeImage(field, glm::ivec3(points));
     setting.Scene = MakeScene(setting.Image, ExtinctionOf(field));
     setting.Grid.Build(setting.Scene);
+    setting.Coarser.BuildCoarser(setting.Grid);
   }
   return setting;
 }
@@ -143,14 +144,26 @@ void ProjectTiles(benchmark::State& state, Fields field)
 }
 
 //------------------------------------------------------------------------------
-void BuildLightCache(benchmark::State& state, Fields field, const Light& light, bool slabs)
+void BuildCoarserGrid(benchmark::State& state, Fields field)
+{
+  const Setting& setting = SettingOf(field, static_cast<int>(state.range(0)));
+  for (auto _ : state)
+  {
+    vtkMediumExtinctionGrid grid;
+    grid.BuildCoarser(setting.Grid);
+    benchmark::DoNotOptimize(grid.GetValues().data());
+  }
+}
+
+//------------------------------------------------------------------------------
+// While a light is dragged its cache has half the points along each axis.
+void BuildLightCache(benchmark::State& state, Fields field, const Light& light, bool dragged)
 {
   const Setting& setting = SettingOf(field, static_cast<int>(state.range(0)));
   vtkMediumLightCache cache;
-  cache.SetSlabs(slabs);
   for (auto _ : state)
   {
-    cache.Build(setting.Grid, light);
+    cache.Build(dragged ? setting.Coarser : setting.Grid, light);
     benchmark::DoNotOptimize(cache.GetOpticalDepths().data());
   }
 }
@@ -160,7 +173,6 @@ void PackLightCache(benchmark::State& state, Fields field)
 {
   const Setting& setting = SettingOf(field, static_cast<int>(state.range(0)));
   vtkMediumLightCache cache;
-  cache.SetSlabs(true);
   cache.Build(setting.Grid, DirectionalLight());
   const vtkMediumLatticePart part =
     setting.Grid.GetOccupiedPart().Grow(1, setting.Grid.GetDimensions());
@@ -193,12 +205,13 @@ int main(int argc, char* argv[])
     Register("extinction grid", field, BuildGrid);
     Register("bricks", field, BuildBricks);
     Register("tiles of 512 x 512 pixels", field, ProjectTiles);
-    Register("light cache, directional, exact", field, BuildLightCache, DirectionalLight(), false);
-    Register("light cache, directional, slabs", field, BuildLightCache, DirectionalLight(), true);
-    Register(
-      "light cache, point outside", field, BuildLightCache, PointLight({ 0.6, 1, 0.8 }), false);
-    Register(
-      "light cache, point inside", field, BuildLightCache, PointLight({ 0.1, 0.2, 0.1 }), false);
+    Register("coarser grid", field, BuildCoarserGrid);
+    const Light beam = DirectionalLight();
+    Register("light cache, directional, final", field, BuildLightCache, beam, false);
+    Register("light cache, directional, dragged", field, BuildLightCache, beam, true);
+    const Light beside = PointLight({ 0.6, 1, 0.8 }), inside = PointLight({ 0.1, 0.2, 0.1 });
+    Register("light cache, point beside", field, BuildLightCache, beside, false);
+    Register("light cache, point inside", field, BuildLightCache, inside, false);
     Register("packing a light cache", field, PackLightCache);
   }
   benchmark::Initialize(&argc, argv);

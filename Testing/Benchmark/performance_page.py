@@ -123,7 +123,7 @@ it is dragged.
 ![Milliseconds against N](images/performance-sizes.png)
 
 What the processor builds, by Google Benchmark, wall-clock medians of three. A point light stands beside the cube or
-inside of it; slabs are for lights that are dragged, where enough is occupied to pay.
+inside of it; a dragged light's cache has half the points along each axis.
 
 {built}
 """

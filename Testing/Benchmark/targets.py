@@ -107,7 +107,7 @@ def size_rows(full) -> list:
         met = camera <= 1.1 and build <= 3.1 and dragged <= 3.1
         rows.append((f"cost in N: camera, cache build, {field}", "slopes ≤ 1.1, ≤ 3.1", "–",
                      f"{camera:.2f}, {build:.2f} (final), {dragged:.2f} (dragged)", met,
-                     "" if met else "the final build is exact, O(N⁴) at worst; a dragged light's is O(N³)"
+                     "" if met else "the build is exact, O(N⁴) at worst; a dragged light's has an eighth of the points"
                      if build > 3.1 else "see the plot below"))
     return rows
 
