@@ -11,7 +11,8 @@ packages_build=(libvtk9-dev python3-vtk9 libglm-dev g++ cmake ninja-build
 # shellcheck disable=SC2034
 packages_test=(libgtest-dev python3-venv python3-numpy) \
   packages_examples=(invesalius-examples) packages_fuzz=(clang libclang-rt-dev) \
-  packages_style=(clang-format clang-tidy codespell shellcheck)
+  packages_style=(clang-format clang-tidy codespell shellcheck) \
+  packages_benchmark=(libbenchmark-dev libllvm19)
 
 project=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 log=$project/build/setup.log

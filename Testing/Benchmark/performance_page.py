@@ -61,11 +61,17 @@ def flat_table(records: list) -> str:
                   "ours, 4/255 allowed", "1/255", "0.25/255"], rows)
 
 
+def method_words(record: dict) -> str:
+    """Others say which version they are."""
+    method = record["method"]
+    return f"{method}, {record['device']}" if method in ("VTK scattering", "Mitsuba") else method
+
+
 def others_table(full: dict) -> str:
     records = [*full["fixed_large"], *full["no_cache_large"], *full["paper_large"],
                *full["scattering_large"], *full["mitsuba"]]
     return table(["field", "method", "voxels", "pixels", "knob", "largest error", "relative RMSE", "ms"], [
-        [r["field"], r["method"], f"{r['volume'][0]}³", f"{r['image'][0]}²", f"{r['knob']:g}",
+        [r["field"], method_words(r), f"{r['volume'][0]}³", f"{r['image'][0]}²", f"{r['knob']:g}",
          "–" if r["max_error"] is None else f"{r['max_error']:.2f}",
          r["relative_rmse"] or "–", f"{r['camera_moved']['median']:.0f}"] for r in records])
 

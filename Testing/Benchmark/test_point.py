@@ -9,7 +9,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-import paths  # isort: skip (before the modules it makes known)
+import paths  # noqa: F401 isort: skip (before the modules it makes known)
 import benchmark
 import builds
 import emptiness
