@@ -4,6 +4,7 @@
 #include "Picture.h"
 #include "VolumeReader.h"
 
+#include "vtkParticipatingMedium.h"
 #include "vtkSingleScatteringVolumeMapper.h"
 
 #include "vtkCamera.h"
@@ -17,79 +18,27 @@
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
-#include <cmath>
 #include <iostream>
 #include <stdexcept>
 
-namespace
-{
 /// CT number in HU, extinction in 1/mm, albedo; linear between.
-const double Tissue[][5] = {
-  { -400, 0.0, 0.80, 0.58, 0.46 },
-  { -150, 0.006, 0.85, 0.56, 0.43 },
-  { 100, 0.009, 0.88, 0.55, 0.42 },
-  { 250, 0.02, 0.92, 0.74, 0.60 },
-  { 600, 0.25, 0.95, 0.88, 0.78 },
-  { 1500, 0.90, 0.99, 0.97, 0.93 },
-};
-
-//------------------------------------------------------------------------------
-void SetTissue(vtkVolumeProperty* property)
-{
-  vtkNew<vtkPiecewiseFunction> opacity;
-  vtkNew<vtkColorTransferFunction> albedo;
-  const double* previous = nullptr;
-  for (const auto& node : Tissue)
-  {
-    // VTK's opacity is that of one unit of length; eight pieces follow the curve between nodes.
-    for (int piece = 1; previous && piece <= 8; ++piece)
-    {
-      const double t = piece / 8.0;
-      const double extinction = previous[1] + t * (node[1] - previous[1]);
-      opacity->AddPoint(previous[0] + t * (node[0] - previous[0]), -std::expm1(-extinction));
-    }
-    albedo->AddRGBPoint(node[0], node[2], node[3], node[4]);
-    previous = node;
-  }
-  opacity->AddPoint(Tissue[0][0], 0);
-  property->SetScalarOpacity(opacity);
-  property->SetColor(albedo);
-  property->SetScalarOpacityUnitDistance(1); // mm
-  property->SetInterpolationTypeToLinear();
-}
-
-//------------------------------------------------------------------------------
-// A lamp far away; irradiance is what a surface that faces it receives.
-void AddLight(vtkRenderer* renderer, double x, double y, double z, double red, double green,
-  double blue, double irradiance)
-{
-  vtkNew<vtkLight> lamp;
-  lamp->SetLightTypeToSceneLight();
-  lamp->SetPosition(x, y, z);
-  lamp->SetFocalPoint(0, 0, 0);
-  lamp->SetColor(red, green, blue);
-  lamp->SetIntensity(irradiance);
-  renderer->AddLight(lamp);
-}
-}
+const double Tissue[][5] = { { -400, 0.0, 0.80, 0.58, 0.46 }, { -150, 0.006, 0.85, 0.56, 0.43 },
+  { 100, 0.009, 0.88, 0.55, 0.42 }, { 250, 0.02, 0.92, 0.74, 0.60 },
+  { 600, 0.25, 0.95, 0.88, 0.78 }, { 1500, 0.90, 0.99, 0.97, 0.93 } };
 
 int main(int argc, char* argv[])
 {
   Picture::Options options;
   options.Output = "ct.png";
-  options.Size = 512;
   options.Step = 0; // mm; 0: the mapper finds it
   options = Picture::ReadOptions(argc, argv,
-    "INPUT is a .vti, .nii, .nii.gz, .mhd, .mha or .nrrd "
-    "file or a folder of DICOM slices, in HU and mm; Examples/Data/cranium.py makes one.",
+    "INPUT is a .vti, .nii, .nii.gz, .mhd, .mha or .nrrd file or a folder of DICOM slices, in HU\n"
+    "and mm. Debian's package invesalius-examples has a skull as .inv3, which the Python example\n"
+    "reads; Examples/Data/cranium.py makes a .vti of it.",
     options);
   vtkNew<vtkSingleScatteringVolumeMapper> mapper;
   try
   {
-    if (options.Input.empty())
-    {
-      throw std::runtime_error("no volume; name a file (--help tells which)");
-    }
     mapper->SetInputData(VolumeReader::Read(options.Input));
   }
   catch (const std::runtime_error& error)
@@ -97,25 +46,40 @@ int main(int argc, char* argv[])
     std::cerr << "CT: " << error.what() << "\n";
     return 2;
   }
+  mapper->SetMaximumError(4.0 / 255);
   if (options.Step > 0)
   {
     mapper->SetIntegratorToFixedStep();
     mapper->SetSampleDistance(options.Step);
     mapper->SetLightSampleDistance(2 * options.Step);
   }
-  else
-  {
-    mapper->SetIntegratorToErrorControlled();
-    mapper->SetMaximumError(4.0 / 255);
-  }
 
+  vtkNew<vtkPiecewiseFunction> extinction;
+  vtkNew<vtkColorTransferFunction> albedo;
+  for (const auto& [number, sigma, red, green, blue] : Tissue)
+  {
+    extinction->AddPoint(number, sigma);
+    albedo->AddRGBPoint(number, red, green, blue);
+  }
+  vtkNew<vtkParticipatingMedium> tissue;
+  tissue->SetExtinctionFunction(extinction);
+  tissue->SetAlbedoColorFunction(albedo);
+  mapper->SetMedium(tissue);
   vtkNew<vtkVolume> volume;
   volume->SetMapper(mapper);
-  SetTissue(volume->GetProperty());
+  volume->GetProperty()->SetInterpolationTypeToLinear();
+
   vtkNew<vtkRenderer> renderer;
   renderer->AddVolume(volume);
-  AddLight(renderer, 1.0, 1.4, 1.2, 1.0, 0.95, 0.88, 10);
-  AddLight(renderer, -1.5, -0.5, 0.3, 0.55, 0.72, 1.0, 6.5);
+  vtkNew<vtkLight> key, fill; // far away; irradiance is what a surface that faces them receives
+  key->SetPosition(1.0, 1.4, 1.2);
+  key->SetColor(1.0, 0.95, 0.88);
+  key->SetIntensity(10);
+  fill->SetPosition(-1.5, -0.5, 0.3);
+  fill->SetColor(0.55, 0.72, 1.0);
+  fill->SetIntensity(6.5);
+  renderer->AddLight(key);
+  renderer->AddLight(fill);
   renderer->SetBackground(0.02, 0.025, 0.035);
   vtkCamera* camera = renderer->GetActiveCamera();
   camera->SetPosition(0, 1, 0);

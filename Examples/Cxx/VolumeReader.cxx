@@ -122,6 +122,10 @@ vtkSmartPointer<vtkImageData> ReadFile(const std::string& path)
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> VolumeReader::Read(const std::string& path)
 {
+  if (path.empty())
+  {
+    throw std::runtime_error("no volume; name a file (--help tells which)");
+  }
   if (!std::filesystem::exists(path))
   {
     throw std::runtime_error(path + ": no such file or folder; check the path");
