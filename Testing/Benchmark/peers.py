@@ -16,7 +16,7 @@ from points import errors, pixels_like, record
 #: Names the Python with vtk and mitsuba; and says why there is none.
 VARIABLE, REASON = "PARTICIPATING_MEDIA_PEERS_PYTHON", "PARTICIPATING_MEDIA_NO_PEERS"
 #: Steps of VTK's scattering in voxels. Finer ones of larger volumes end in llvmpipe's loop limit.
-SMALL_STEPS, LARGE_STEPS = (1, 0.5, 0.25), (4, 2, 1)
+SMALL_STEPS, LARGE_STEPS = (1, 0.5, 0.25), (2, 1.5, 1)
 #: Paths of each pixel, and the relative RMSE that their time is told for.
 SAMPLES, RMSE = (64, 256), 0.01
 #: Seconds that one renderer may take for one scene.
