@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 
 namespace
@@ -281,6 +280,21 @@ void vtkMediumExtinctionGrid::Project(const vtkMediumScene& scene, int channel)
 }
 
 //------------------------------------------------------------------------------
+glm::ivec2 vtkMediumExtinctionGrid::FindOccupied(const float* row, int n)
+{
+  glm::ivec2 occupied(0, n);
+  while (occupied.y > 0 && row[occupied.y - 1] == 0)
+  {
+    --occupied.y;
+  }
+  while (occupied.x < occupied.y && row[occupied.x] == 0)
+  {
+    ++occupied.x;
+  }
+  return occupied;
+}
+
+//------------------------------------------------------------------------------
 void vtkMediumExtinctionGrid::FindStatistics()
 {
   struct Share
@@ -306,15 +320,10 @@ void vtkMediumExtinctionGrid::FindStatistics()
       }
       if (share.Occupied > before)
       {
-        auto isOccupied = [](float value) { return value != 0; };
+        const glm::ivec2 occupied = FindOccupied(values, n.x);
         const glm::ivec3 at(0, static_cast<int>(row % n.y), static_cast<int>(row / n.y));
-        const auto first = std::find_if(values, values + n.x, isOccupied) - values;
-        const auto behind = std::find_if(std::reverse_iterator<const float*>(values + n.x),
-                              std::reverse_iterator<const float*>(values), isOccupied)
-                              .base() -
-          values;
-        share.First = glm::min(share.First, at + glm::ivec3(static_cast<int>(first), 0, 0));
-        share.Last = glm::max(share.Last, at + glm::ivec3(static_cast<int>(behind) - 1, 0, 0));
+        share.First = glm::min(share.First, at + glm::ivec3(occupied.x, 0, 0));
+        share.Last = glm::max(share.Last, at + glm::ivec3(occupied.y - 1, 0, 0));
       }
     }
     shares.Local() = share;

@@ -25,6 +25,7 @@
 #include "vtkParticipatingMediaRenderingModule.h" // for the export macro
 
 #include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <cstddef>
@@ -67,6 +68,9 @@ public:
   /// Takes over a grid of trilinear data with half the points along each axis, spread over the same box; values
   /// are means of those around, weighted by their distance, so that optical depths along rays stay.
   void BuildCoarser(const vtkMediumExtinctionGrid& fine);
+
+  /// Of a row of n values: the first that is not 0, and the one behind the last; equal if there is none.
+  static glm::ivec2 FindOccupied(const float* row, int n);
 
   /// The interpolated value at a lattice coordinate, held constant outside the lattice.
   double Interpolate(const glm::dvec3& lattice) const;

@@ -236,15 +236,15 @@ std::vector<float> vtkMediumFrame::Read(int target)
 //------------------------------------------------------------------------------
 vtkTypeInt64 vtkMediumFrame::GetBytes() const
 {
-  vtkTypeInt64 pixels = 0;
+  vtkTypeInt64 bytes = this->Depth.GetBytes();
   for (const auto& set : this->Textures)
   {
     for (const auto& texture : set)
     {
-      pixels += texture->GetHandle() ? vtkTypeInt64(texture->GetWidth()) * texture->GetHeight() : 0;
+      bytes += vtkMediumBytesOf(texture, sizeof(float));
     }
   }
-  return pixels * 4 * static_cast<vtkTypeInt64>(sizeof(float)) + this->Depth.GetBytes();
+  return bytes;
 }
 
 //------------------------------------------------------------------------------

@@ -26,9 +26,9 @@
  * @par Roughness
  * How far a lookup may err is a lattice function too: 1/8 of the sum of the magnitudes of the second
  * differences, and 1 where nothing is known. (On the faces of the lattice those across them are the next
- * ones inside.) A shader that reads it beside the transmittance sums what the
- * look-ups of a pixel may err by (Shaders/vtkMediumLightCache.glsl); where that is too much, another marches
- * each light ray until its cache can be trusted (Shaders/vtkMediumLightMarchToCache.glsl).
+ * ones inside.) A shader that reads it beside the transmittance sums what the look-ups of a pixel may err by
+ * (Shaders/vtkMediumLightCache.glsl); where that is too much, another marches each light ray until its cache
+ * can be trusted (Shaders/vtkMediumLightMarchToCache.glsl).
  */
 #ifndef vtkMediumLightCache_h
 #define vtkMediumLightCache_h

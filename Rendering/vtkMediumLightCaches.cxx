@@ -26,7 +26,7 @@ glm::ivec2 LightsOf(int group, const vtkMediumPlan& plan)
 // Channels of a texture: what its lights need, as OpenGL has it.
 int CountChannels(const glm::ivec2& lights, bool roughness)
 {
-  const int count = (lights.y - lights.x) * (roughness ? 2 : 1);
+  const int count = (lights.y - lights.x) * vtkMediumPlan::ChannelsPerLight(roughness);
   return count == 3 ? 4 : count;
 }
 
@@ -47,10 +47,16 @@ bool vtkMediumLightCaches::AreBuilt(const vtkMediumScene& scene, const vtkMedium
   bool built = static_cast<int>(this->Lights.size()) == plan.CachedLights;
   for (int number = 0; number < plan.CachedLights && built; ++number)
   {
-    const std::unique_ptr<CachedLight>& light = this->Lights[number];
-    built = light && vtkMediumLightCache::HaveSamePose(light->Pose, scene.Lights[number]);
+    built = this->HasCache(number, scene.Lights[number]);
   }
   return built;
+}
+
+//------------------------------------------------------------------------------
+bool vtkMediumLightCaches::HasCache(int number, const vtkMediumScene::Light& pose) const
+{
+  const std::unique_ptr<CachedLight>& light = this->Lights[number];
+  return light && vtkMediumLightCache::HaveSamePose(light->Pose, pose);
 }
 
 //------------------------------------------------------------------------------
@@ -94,11 +100,11 @@ std::string vtkMediumLightCaches::Update(vtkOpenGLRenderWindow* window,
 bool vtkMediumLightCaches::BuildLight(
   int number, const vtkMediumExtinctionGrid& grid, const vtkMediumScene::Light& pose)
 {
-  std::unique_ptr<CachedLight>& light = this->Lights[number];
-  if (light && vtkMediumLightCache::HaveSamePose(light->Pose, pose))
+  if (this->HasCache(number, pose))
   {
     return false;
   }
+  std::unique_ptr<CachedLight>& light = this->Lights[number];
   light.reset(new CachedLight);
   light->Cache.Build(grid, pose);
   light->Pose = pose;
@@ -115,7 +121,7 @@ bool vtkMediumLightCaches::UploadGroup(
   std::vector<std::uint16_t> texels(this->Part.GetNumberOfPoints() * channels);
   for (int number = lights.x; number < lights.y; ++number)
   {
-    const int channel = (number - lights.x) * (plan.CacheRoughness ? 2 : 1);
+    const int channel = (number - lights.x) * vtkMediumPlan::ChannelsPerLight(plan.CacheRoughness);
     this->Lights[number]->Cache.Pack(
       this->DensityScale, this->Part, plan.CacheRoughness, texels.data() + channel, channels);
   }

@@ -61,6 +61,7 @@ private:
     vtkMediumScene::Light Pose;
   };
 
+  bool HasCache(int number, const vtkMediumScene::Light& pose) const;
   bool BuildLight(
     int number, const vtkMediumExtinctionGrid& grid, const vtkMediumScene::Light& pose);
   bool UploadGroup(vtkOpenGLRenderWindow* window, int group, const vtkMediumPlan& plan);

@@ -33,17 +33,8 @@ vtkMediumOccupiedRows::vtkMediumOccupiedRows(
   vtkSMPTools::For(0, rows, [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType r = begin; r < end; ++r)
     {
-      const float* row = values + r * n.x;
-      Interval& interval = this->Occupied[r];
-      interval = { 0, n.x };
-      while (interval.End > 0 && row[interval.End - 1] == 0)
-      {
-        --interval.End;
-      }
-      while (interval.Begin < interval.End && row[interval.Begin] == 0)
-      {
-        ++interval.Begin;
-      }
+      const glm::ivec2 occupied = vtkMediumExtinctionGrid::FindOccupied(values + r * n.x, n.x);
+      this->Occupied[r] = { occupied.x, occupied.y };
     }
   });
   if (withValues)

@@ -102,8 +102,7 @@ public:
   /// Textures for the caches of lights, and so the lights that have caches; the light rays of more are
   /// marched.
   static constexpr int MostCacheTextures = 4;
-  static constexpr int CacheChannels =
-    4; ///< of a texture; a light takes one, or two with roughness
+  static constexpr int CacheChannels = 4; ///< of a texture
   static constexpr int MostCachedLights = MostCacheTextures * CacheChannels;
   /// Pixels along the edge of a tile.
   static constexpr int TileEdge = 8;
@@ -180,8 +179,10 @@ public:
   /// The same plan in steps of twice the length.
   vtkMediumPlan Coarser() const;
 
+  /// Channels that a light takes of a texture of caches.
+  static constexpr int ChannelsPerLight(bool roughness) { return roughness ? 2 : 1; }
   /// The lights that share a texture of caches.
-  int GetLightsPerTexture() const { return CacheChannels / (this->CacheRoughness ? 2 : 1); }
+  int GetLightsPerTexture() const { return CacheChannels / ChannelsPerLight(this->CacheRoughness); }
   int GetCacheTextures() const
   {
     return (this->CachedLights + this->GetLightsPerTexture() - 1) / this->GetLightsPerTexture();

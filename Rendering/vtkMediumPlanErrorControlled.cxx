@@ -37,7 +37,7 @@ void vtkMediumPlan::PlanErrorControlled(const vtkMediumScene& scene, const Setti
   }
   const int lights = static_cast<int>(scene.Lights.size());
   const bool rough = settings.LightMethod == MarchThenLookUp;
-  const int channels = lights * (rough ? 2 : 1); // of two bytes a voxel
+  const int channels = lights * ChannelsPerLight(rough); // of two bytes a voxel
   const vtkTypeInt64 bytes = 2 * voxels * channels;
   if (settings.LightMethod != March && this->Lit && linear && !scene.Content.ChromaticExtinction &&
     channels <= MostCacheTextures * CacheChannels && bytes <= settings.LightCacheBytes)
